@@ -1,0 +1,1 @@
+# install and export, so that find_package(foramen) works

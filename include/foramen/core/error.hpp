@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// What can go wrong, and whose fault it is. Messages say what was found and what to do about it.
+
+#include <stdexcept>
+#include <string>
+
+namespace foramen {
+
+/// Base of all errors that a caller may want to show to a user.
+class Error : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A file cannot be opened, read or written, or breaks its own format.
+class IoError : public Error {
+  using Error::Error;
+};
+
+/// Data that was read well but cannot be used (indices out of range, wrong units, NaN, too few shapes ...).
+class InvalidInput : public Error {
+  using Error::Error;
+};
+
+/// A surface whose topology is not what the operation needs (open, non-manifold, genus other than 1 ...).
+class TopologyError : public InvalidInput {
+  using InvalidInput::InvalidInput;
+};
+
+/// A numerical method ended without a result that may be trusted.
+class ConvergenceError : public Error {
+  using Error::Error;
+};
+
+/// The user asked to stop; nothing is wrong.
+class Cancelled : public Error {
+ public:
+  Cancelled() : Error("cancelled") {}
+};
+
+/// A broken promise inside foramen itself: always a defect, never the user's fault.
+class InternalError : public std::logic_error {
+  using std::logic_error::logic_error;
+};
+
+namespace detail {
+[[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
+}
+
+}  // namespace foramen
+
+/// Checks a promise of our own in every build; throws InternalError.
+#define FORAMEN_ASSERT(condition) \
+  ((condition) ? void(0) : ::foramen::detail::assertion_failed(#condition, __FILE__, __LINE__))

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Progress, cancellation and the number of threads, handed down together. None of them changes a result.
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace foramen {
+
+struct Progress {
+  std::string stage;      ///< what is being done, e.g. "register"
+  double fraction = 0;    ///< of this stage, 0 .. 1
+};
+
+/// Copies share the stop request. Safe to use from many threads; the callback is called by one thread at a time.
+class RunContext {
+ public:
+  using Callback = std::function<void(const Progress&)>;
+  /// \param threads 0: as many as the machine has.
+  explicit RunContext(int threads = 0, Callback on_progress = {});
+
+  int threads() const { return threads_; }
+  /// Asks all work under this context to stop. Async-signal-safe.
+  void request_stop() const noexcept { state_->stop.store(true); }
+  bool stop_requested() const noexcept { return state_->stop.load(); }
+  /// Throws Cancelled after request_stop().
+  void check() const;
+  /// Reports progress; throws Cancelled after request_stop().
+  void step(std::string_view stage, double fraction) const;
+
+ private:
+  struct State {
+    std::atomic<bool> stop{false};
+    std::atomic_flag reporting = ATOMIC_FLAG_INIT;
+    Callback on_progress;
+  };
+  int threads_;
+  std::shared_ptr<State> state_;
+};
+
+}  // namespace foramen

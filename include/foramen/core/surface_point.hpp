@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// A place on a surface that knows its triangle.
+
+#include "foramen/core/mesh.hpp"
+
+namespace foramen {
+
+/// Barycentric coordinates in a face; they sum to 1, each >= 0 up to rounding.
+struct SurfacePoint {
+  FaceId face;
+  Vec3 barycentric = Vec3::Zero();
+};
+
+inline Vec3 position(const Mesh& mesh, const SurfacePoint& p) {
+  const auto t = mesh.triangle(p.face);
+  return p.barycentric[0] * t[0] + p.barycentric[1] * t[1] + p.barycentric[2] * t[2];
+}
+
+}  // namespace foramen

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// Triangle meshes on disk: PLY, STL, OBJ, OFF by our own strict readers; VTK and VTP through VTK where it was found.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foramen/core/mesh.hpp"
+#include "foramen/core/units.hpp"
+
+namespace foramen {
+
+/// Axes of the coordinates: LPS (left, posterior, superior; DICOM, ITK) or RAS (right, anterior, superior).
+enum class AnatomicalSpace { lps, ras };
+
+/// What a mesh file says.
+struct MeshFile {
+  TriangleSoup soup;
+  std::optional<AnatomicalSpace> space;  ///< from a SPACE=LPS / SPACE=RAS comment; unset: untagged (taken as LPS)
+};
+
+/// Extensions (lower case, with dot) that read_mesh understands in this build.
+const std::vector<std::string>& mesh_extensions();
+
+/// Reads by extension (any case). Polygons with more than three corners are refused. STL corners with the very same
+/// coordinates are welded. Throws IoError naming the file, what was found, where, and what to do.
+MeshFile read_mesh(const std::filesystem::path& path);
+
+/// Binary little-endian PLY: float32 coordinates, `vertex_indices`, LF line ends, one SPACE comment (INTEROP 3.6).
+void write_ply(const std::filesystem::path& path, const TriangleSoup& soup,
+               AnatomicalSpace space = AnatomicalSpace::lps);
+
+/// VTK XML PolyData (ASCII-free appended-free inline base64 binary), with a SPACE field. Needs no VTK.
+void write_vtp(const std::filesystem::path& path, const TriangleSoup& soup,
+               AnatomicalSpace space = AnatomicalSpace::lps);
+
+}  // namespace foramen

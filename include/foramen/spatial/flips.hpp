@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Flipped triangles of a corresponding mesh against its input surface.
+
+#include <vector>
+
+#include "foramen/spatial/triangle_tree.hpp"
+
+namespace foramen {
+
+struct SampledFlips {
+  std::vector<FaceId> plain;       ///< normal opposes the input's at the closest point of the centroid
+  std::vector<FaceId> confirmed;   ///< ... and opposes every input triangle within closest distance + 0.25 mean landmark edge
+  std::vector<FaceId> degenerate;  ///< without area (a normal cannot be given)
+};
+
+SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input);
+
+/// Triangles of `corresponding` whose normal opposes that of the same triangle of `mean`, after both are aligned.
+int opposing_mean(const Mesh& corresponding, const Mesh& mean);
+
+}  // namespace foramen

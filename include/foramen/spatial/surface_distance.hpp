@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// Distance of two surfaces as EVALUATION defines it.
+
+#include <vector>
+
+#include "foramen/core/rng.hpp"
+#include "foramen/spatial/triangle_tree.hpp"
+
+namespace foramen {
+
+/// `count` points spread over the surface, stratified by area (one per equal share of the area, in face order).
+std::vector<SurfacePoint> sample_surface(const Mesh& mesh, int count, const Rng& rng);
+
+struct SurfaceDistanceOptions {
+  int samples = 20000;      ///< a side
+  std::uint64_t seed = 1;
+};
+
+struct SurfaceDistance {
+  double mean = 0;       ///< average of the two one-sided means over samples, mm
+  double p95 = 0;        ///< 95th percentile of both sample sets together, mm
+  double hausdorff = 0;  ///< largest over samples and all vertices of both, mm; a lower bound of the true one
+};
+
+/// Exact point-to-triangle distances, both ways. Symmetric in its arguments.
+SurfaceDistance surface_distance(const TriangleTree& a, const TriangleTree& b, const SurfaceDistanceOptions& options = {});
+
+}  // namespace foramen

@@ -1,0 +1,1 @@
+#include "foramen/io/mesh_file.hpp"
