@@ -1,1 +1,15 @@
-# install and export, so that find_package(foramen) works
+# install and export, so that find_package(foramen COMPONENTS model) works.
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
+get_property(modules GLOBAL PROPERTY FORAMEN_MODULES)
+set(FORAMEN_CONFIG_MODULES "${modules}")
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/foramenConfig.cmake.in foramenConfig.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(foramenConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/foramenConfig.cmake ${PROJECT_BINARY_DIR}/foramenConfigVersion.cmake
+        DESTINATION ${package_dir})
+# One export set a module, so that a consumer of `model` need not have what `io` links.
+foreach(module IN LISTS modules)
+  install(EXPORT foramen-${module} NAMESPACE foramen:: FILE foramen-${module}.cmake DESTINATION ${package_dir})
+endforeach()

@@ -1,9 +1,11 @@
-# foramen_add_module(NAME [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...])
+# foramen_add_module(NAME [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...] [PACKAGES package...])
 #
 # One library foramen_NAME (alias foramen::NAME) from src/NAME/*.cpp and include/foramen/NAME/*.hpp, installed as a
-# component of the package, and one test program NAME_tests from tests/NAME/*_test.cpp.
+# component of the package, and one test program NAME_tests from tests/NAME/*_test.cpp. PACKAGES are what a consumer of the
+# installed module must find beside Eigen, TBB and threads. Tests whose name contains RealData need the real shapes; all
+# others carry the label quick, which the sanitizer legs run.
 function(foramen_add_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LINK;LINK_PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LINK;LINK_PRIVATE;PACKAGES")
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   set(target foramen_${name})
   if(NOT sources)  # scaffold: module not written yet
@@ -11,6 +13,8 @@ function(foramen_add_module name)
     add_library(foramen::${name} ALIAS ${target})
     list(TRANSFORM arg_DEPENDS PREPEND foramen::)
     target_link_libraries(${target} INTERFACE ${arg_DEPENDS})
+    install(TARGETS ${target} EXPORT foramen-${name})
+    set_property(GLOBAL APPEND PROPERTY FORAMEN_MODULES ${name})
     return()
   endif()
   add_library(${target} STATIC ${sources})
@@ -20,12 +24,17 @@ function(foramen_add_module name)
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  list(TRANSFORM arg_DEPENDS PREPEND foramen::)
+  list(TRANSFORM arg_DEPENDS PREPEND foramen:: OUTPUT_VARIABLE depends)
   target_link_libraries(${target}
-    PUBLIC ${arg_DEPENDS} ${arg_LINK}
+    PUBLIC ${depends} ${arg_LINK}
     PRIVATE ${arg_LINK_PRIVATE} $<BUILD_INTERFACE:foramen_warnings>)
-  install(TARGETS ${target} EXPORT foramen-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+
+  install(TARGETS ${target} EXPORT foramen-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/foramen/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/foramen)
+  set(depends_file ${PROJECT_BINARY_DIR}/foramen-${name}-depends.cmake)
+  file(CONFIGURE OUTPUT ${depends_file}
+       CONTENT "set(_foramen_depends @arg_DEPENDS@)\nset(_foramen_packages @arg_PACKAGES@)\n" @ONLY)
+  install(FILES ${depends_file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
   set_property(GLOBAL APPEND PROPERTY FORAMEN_MODULES ${name})
 
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
@@ -34,8 +43,15 @@ function(foramen_add_module name)
     target_link_libraries(${name}_tests PRIVATE foramen::${name} foramen_test_support GTest::gtest_main
                                                 GTest::gmock foramen_warnings)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src)
-    gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60
-                         PROPERTIES TIMEOUT 600 SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+    foreach(kind quick real)
+      set(filter "-*RealData*")
+      if(kind STREQUAL real)
+        set(filter "*RealData*")
+      endif()
+      gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. TEST_FILTER ${filter} TEST_LIST ${name}_${kind}
+                           DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 900 LABELS ${kind}
+                           SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+    endforeach()
   endif()
   file(GLOB benches CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/${name}_bench.cpp)
   if(FORAMEN_BUILD_BENCH AND benches)

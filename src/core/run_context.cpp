@@ -14,6 +14,12 @@ RunContext::RunContext(int threads, Callback on_progress)
   state_->on_progress = std::move(on_progress);
 }
 
+RunContext RunContext::with_threads(int threads) const {
+  RunContext other = *this;
+  other.threads_ = std::max(1, threads);
+  return other;
+}
+
 void RunContext::check() const {
   if (stop_requested()) throw Cancelled();
 }

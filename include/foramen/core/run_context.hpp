@@ -23,6 +23,8 @@ class RunContext {
   explicit RunContext(int threads = 0, Callback on_progress = {});
 
   int threads() const { return threads_; }
+  /// The same run (stop request, progress) with another number of threads.
+  RunContext with_threads(int threads) const;
   /// Asks all work under this context to stop. Async-signal-safe.
   void request_stop() const noexcept { state_->stop.store(true); }
   bool stop_requested() const noexcept { return state_->stop.load(); }

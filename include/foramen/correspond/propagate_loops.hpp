@@ -1,36 +1,35 @@
 #pragma once
 /// \file
-/// The reference's basepoint and loops carried to an aligned shape (the paper's way), and homology transfer.
+/// The reference's basepoint and loops carried to an aligned shape, the paper's way.
 
-#include "foramen/topology/linking.hpp"
-#include "foramen/topology/periods.hpp"
+#include "foramen/topology/shortest_loops.hpp"
 
 namespace foramen {
 
-/// The reference as every other shape sees it.
+/// The reference's loops as every other shape sees them.
 struct ReferenceLoops {
-  Mesh mesh;              ///< in the reference's own coordinates
-  LoopSystem loops;
-  Eigen::Matrix2i seifert;
+  Mesh mesh;               ///< the reference, in its own coordinates
+  LoopSystem loops;        ///< two, oriented so that the torus map they give has positive area
+  Eigen::Matrix2i seifert; ///< see seifert_matrix()
 };
+
+/// The shortest loops of a genus-1 surface over all basepoints, oriented, with their Seifert matrix.
+ReferenceLoops find_reference_loops(const Mesh& mesh, const RunContext& ctx);
 
 enum class EdgeCost {
-  paper,            ///< eq. 3 as printed: mean distance of the two ends to the reference loops, mm
-  length_weighted,  ///< (eq. 3 + small) * edge length: keeps its meaning on uneven meshes
+  paper,            ///< [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm]; counts hops
+  length_weighted,  ///< (that + 0.5 mm) * edge length [mm^2]: independent of how finely the surface is meshed
 };
 
-/// [becker2011 Eq. 3] for every edge of an aligned shape.
+/// The cost of every edge of an aligned shape. [becker2011 Eq. 3]
 EdgeMap<double> loop_edge_costs(const Mesh& aligned_shape, const ReferenceLoops& reference, EdgeCost cost);
 
-/// Basepoint: the vertex of the shape nearest to the reference's; loops: Erickson-Whittlesey from it with the edge cost.
+/// Basepoint: the vertex of the shape nearest to the reference's; loops: the greedy system from it by the edge costs,
+/// oriented. Not named: loop k need not be the reference's loop k, see transfer_homology().
 LoopSystem propagate_loops(const Mesh& aligned_shape, const ReferenceLoops& reference, EdgeCost cost);
 
-struct HomologyTransfer {
-  Eigen::Matrix2i a;                    ///< column k: the transferred reference loop k in the basis dual to the shape's cocycle
-  std::array<EdgeLoop, 2> transferred;  ///< closed loops on the shape
-};
-/// Moves each reference loop to nearest normal-compatible vertices of the shape, closes it by Dijkstra paths and integrates
-/// the shape's cocycle. Throws TopologyError if |det A| != 1.
-HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form, const ReferenceLoops& reference);
+/// The same system with its second loop reversed if the two cross the other way, so that a torus map with their
+/// periods has positive area. \pre genus 1
+LoopSystem oriented(const Mesh& mesh, LoopSystem loops);
 
 }  // namespace foramen

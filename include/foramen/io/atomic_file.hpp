@@ -8,8 +8,8 @@
 
 namespace foramen {
 
-/// Writes beside `path` (same folder, hidden temporary name), flushes to disk, then renames over it. On any error
-/// the temporary is removed, `path` is untouched and IoError is thrown.
+/// Writes beside `path` (same folder, hidden temporary name), flushes to disk, then renames over it. On any
+/// error the temporary is removed, `path` is untouched and IoError is thrown.
 void write_file(const std::filesystem::path& path, std::string_view contents);
 
 /// The same for a library that insists on writing a file by name: `write` is given the temporary's path.

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Triangle meshes on disk: PLY, STL, OBJ, OFF by our own strict readers; VTK and VTP through VTK where it was found.
+/// Triangle meshes on disk: PLY, STL, OBJ, OFF by our own strict readers; VTK and VTP through VTK where it
+/// was found.
 
 #include <filesystem>
 #include <optional>
@@ -18,17 +19,19 @@ enum class AnatomicalSpace { lps, ras };
 /// What a mesh file says.
 struct MeshFile {
   TriangleSoup soup;
-  std::optional<AnatomicalSpace> space;  ///< from a SPACE=LPS / SPACE=RAS comment; unset: untagged (taken as LPS)
+  std::optional<AnatomicalSpace>
+      space;  ///< from a SPACE=LPS / SPACE=RAS comment; unset: untagged (taken as LPS)
 };
 
 /// Extensions (lower case, with dot) that read_mesh understands in this build.
 const std::vector<std::string>& mesh_extensions();
 
-/// Reads by extension (any case). Polygons with more than three corners are refused. STL corners with the very same
-/// coordinates are welded. Throws IoError naming the file, what was found, where, and what to do.
+/// Reads by extension (any case). Polygons with more than three corners are refused. STL corners with the
+/// very same coordinates are welded. Throws IoError naming the file, what was found, where, and what to do.
 MeshFile read_mesh(const std::filesystem::path& path);
 
-/// Binary little-endian PLY: float32 coordinates, `vertex_indices`, LF line ends, one SPACE comment (INTEROP 3.6).
+/// Binary little-endian PLY: float32 coordinates, `vertex_indices`, LF line ends, one SPACE comment
+/// (INTEROP 3.6).
 void write_ply(const std::filesystem::path& path, const TriangleSoup& soup,
                AnatomicalSpace space = AnatomicalSpace::lps);
 

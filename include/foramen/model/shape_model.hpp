@@ -2,6 +2,8 @@
 /// \file
 /// The statistical shape model: x = mean + basis * b, b_m ~ N(0, variance_m) (Cootes et al. 1995).
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "foramen/core/mesh.hpp"

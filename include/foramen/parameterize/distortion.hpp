@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Degener's distortion of one triangle under the map surface -> plane, [becker2011 Eq. 1] times [becker2011 Eq. 2].
+/// Degener's distortion of one triangle under the map surface -> plane, [becker2011 Eq. 1] times [becker2011
+/// Eq. 2].
 
 #include <array>
 
@@ -8,28 +9,44 @@
 
 namespace foramen {
 
-/// E_angle = (a^2 cot alpha + b^2 cot beta + c^2 cot gamma) / (2 area(T)): >= 2, 2 iff angles are kept. [becker2011 Eq. 1]
+/// E_angle = (a^2 cot alpha + b^2 cot beta + c^2 cot gamma) / (2 area(T)): >= 2, 2 iff angles are kept.
+/// [becker2011 Eq. 1]
 double angle_distortion(const std::array<Vec3, 3>& surface, const std::array<Vec2, 3>& plane);
-/// E_area = area(T3D)/area(T) + area(T)/area(T3D): >= 2, 2 iff the area is kept. Areas in the same unit. [becker2011 Eq. 2]
+/// E_area = area(T3D)/area(T) + area(T)/area(T3D): >= 2, 2 iff the area is kept. Areas in the same unit.
+/// [becker2011 Eq. 2]
 double area_distortion(const std::array<Vec3, 3>& surface, const std::array<Vec2, 3>& plane);
 
 /// The rest shape of a surface triangle in its own plane, inverted once: J = [x1 - x0, x2 - x0] inverse_rest.
 struct RestTriangle {
-  Mat2 inverse;      ///< 1 / length
-  double area = 0;   ///< scaled surface area
+  Mat2 inverse;     ///< 1 / length
+  double area = 0;  ///< scaled surface area
 };
 /// \param scale  lengths are multiplied by this, so that the whole surface has the area of the domain
 RestTriangle rest_triangle(const std::array<Vec3, 3>& surface, double scale);
 
 using Mat4 = Eigen::Matrix4d;
 using Vec4 = Eigen::Vector4d;
-/// E = E_angle E_area = |J|^2 + |J^-1|^2 as a function of the two edge vectors q = (x1 - x0, x2 - x0) in R^4; >= 4, +inf if det J <= 0.
+/// Twice the signed area of the plane triangle with edge vectors q = (x1 - x0, x2 - x0). "Positive area"
+/// means that this very expression is > 0, everywhere, so that no two places disagree about a triangle by
+/// rounding.
+inline double doubled_area(const Vec4& edges) { return edges[0] * edges[3] - edges[1] * edges[2]; }
+
+/// E = E_angle E_area = |J|^2 + |J^-1|^2 as a function of the two edge vectors q = (x1 - x0, x2 - x0) in R^4;
+/// >= 4, +inf if det J <= 0.
 struct DistortionTerm {
   double value = 0;
   Vec4 gradient = Vec4::Zero();
-  Mat4 hessian = Mat4::Zero();   ///< clamped to positive semi-definite by its closed-form eigen-decomposition
+  Mat4 hessian = Mat4::Zero();  ///< clamped to positive semi-definite by its closed-form eigen-decomposition
 };
 double distortion(const RestTriangle& rest, const Vec4& edges);
+struct DistortionGradient {
+  double value = 0;
+  Vec4 gradient = Vec4::Zero();
+};
+DistortionGradient distortion_gradient(const RestTriangle& rest, const Vec4& edges);
 DistortionTerm distortion_term(const RestTriangle& rest, const Vec4& edges, bool clamp = true);
+/// Between the two: the only eigenvalue that may be negative is multiplied by `kept` if it is; 0 clamps, 1 is
+/// the true Hessian.
+DistortionTerm damped_distortion_term(const RestTriangle& rest, const Vec4& edges, double kept);
 
 }  // namespace foramen

@@ -15,7 +15,8 @@ struct TorusGrid {
   HalfedgeMap<Vec2i> jumps;                   ///< of the grid as a torus map of itself (halfedge 3f+k)
 };
 
-/// About `points` points; rows and columns follow the lattice's periods so that cells are near-square in the plane.
+/// About `points` points; rows and columns follow the lattice's periods so that cells are near-square in the
+/// plane.
 TorusGrid make_torus_grid(const Lattice& lattice, int points);
 
 }  // namespace foramen

@@ -9,14 +9,20 @@
 namespace foramen {
 
 struct SampledFlips {
-  std::vector<FaceId> plain;       ///< normal opposes the input's at the closest point of the centroid
-  std::vector<FaceId> confirmed;   ///< ... and opposes every input triangle within closest distance + 0.25 mean landmark edge
+  std::vector<FaceId> plain;  ///< normal opposes the input's at the closest point of the centroid
+  std::vector<FaceId>
+      confirmed;  ///< ... and opposes every input triangle within closest distance + 0.25 mean landmark edge
   std::vector<FaceId> degenerate;  ///< without area (a normal cannot be given)
 };
 
+/// Two normals oppose each other when their dot product is negative. Input triangles without area have no
+/// normal and are passed over. A triangle counts as degenerate when its height is lost in rounding: below
+/// 1e-12 of its longest side.
 SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input);
 
-/// Triangles of `corresponding` whose normal opposes that of the same triangle of `mean`, after both are aligned.
+/// Triangles of `corresponding` whose normal opposes that of the same triangle of `mean`, after
+/// `corresponding` was moved onto `mean` by the least-squares rigid motion (Umeyama 1991, \cite umeyama1991).
+/// Throws InvalidInput if the two differ in their triangles.
 int opposing_mean(const Mesh& corresponding, const Mesh& mean);
 
 }  // namespace foramen

@@ -31,7 +31,8 @@ class PointIndex {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Nearest points by position and normal together: distance^2 = |p - q|^2 + weight^2 |n - m|^2 (a 6-D search).
+/// Nearest points by position and normal together: distance^2 = |p - q|^2 + weight^2 |n - m|^2 (a 6-D
+/// search).
 class OrientedPointIndex {
  public:
   /// \param normal_weight  mm per unit of normal difference; 8 mm serves vertebrae

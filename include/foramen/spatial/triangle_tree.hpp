@@ -2,6 +2,7 @@
 /// \file
 /// Closest points on a triangle mesh by a bounding-volume hierarchy.
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -18,35 +19,60 @@ struct ClosestPoint {
   double squared_distance = std::numeric_limits<double>::infinity();
 };
 
-/// The closest point of one triangle; exact also for degenerate triangles.
+/// The closest point of one triangle (Voronoi regions, Ericson 2005, \cite ericson2005); accurate also for
+/// slivers and for triangles without area.
 ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3& query);
 
+/// The surface of a mesh, arranged for queries. All distances are exact point-to-triangle distances in double
+/// precision: the boxes are single precision, rounded outward, and only decide what need not be looked at.
+///
+/// Every const member may be called from many threads at once. No answer depends on the shape of the
+/// hierarchy: of several triangles at the same distance the one of smallest index is returned.
 class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh);
-  /// The closest point. \param within  only points closer than this distance [mm] (empty face id if there is none): a bound from
-  /// elsewhere makes the search faster. Ties: the smaller face index.
+  /// The closest point. \param within  only points closer than this distance [mm] (empty face id if there is
+  /// none): a bound from elsewhere makes the search faster. Ties: the smaller face index.
   ClosestPoint closest(const Vec3& query, double within = std::numeric_limits<double>::infinity()) const;
-  /// The closest point on a triangle whose unit normal n has n . normal > min_cosine; nullopt if no triangle has.
-  std::optional<ClosestPoint> closest_compatible(const Vec3& query, const Vec3& normal, double min_cosine = 0.0,
-                                                 double within = std::numeric_limits<double>::infinity()) const;
-  /// Calls `visit` for every face whose distance to the query is <= radius.
+  /// The closest point on a triangle whose unit normal n has n . normal > min_cosine; nullopt if no triangle
+  /// has. A triangle without area has no normal and is never compatible.
+  std::optional<ClosestPoint> closest_compatible(
+      const Vec3& query, const Vec3& normal, double min_cosine = 0.0,
+      double within = std::numeric_limits<double>::infinity()) const;
+  /// Whether some face is at a distance <= radius: much cheaper than closest() when the answer is yes.
+  bool any_within(const Vec3& query, double radius) const;
+  /// Every face whose distance to the query is <= radius, in order of index.
   std::vector<FaceId> faces_within(const Vec3& query, double radius) const;
-  /// Another mesh of the same connectivity: boxes are recomputed, the hierarchy is kept.
+  /// Another mesh of the same connectivity: boxes are recomputed, the hierarchy is kept. Throws InvalidInput
+  /// if the triangles differ.
   void refit(const Mesh& mesh);
   const Mesh& mesh() const { return mesh_; }
 
  private:
-  struct Node {
-    Vec3 low, high;
-    int first = 0, count = 0;   // leaf: faces order_[first .. first+count)
-    int right = -1;             // inner: left child follows, right child at `right`
+  using Row = std::array<float, 4>;  // one number for each of four children
+  // Boxes of four children, in coordinates relative to origin_.
+  struct alignas(64) Node {
+    std::array<Row, 3> low, high;
+    std::array<int, 4> child;  // see encode_leaf
   };
-  int build(int first, int count, std::vector<Vec3>& centres);
+  // Ranges of the unit normals below each child, per coordinate.
+  struct alignas(64) NormalNode {
+    std::array<Row, 3> low, high;
+  };
+  struct Builder;
+  struct PointQuery;
+  void refresh();
+  template <class Prune, class Visit>
+  void traverse(const PointQuery& query, const double& bound, const Prune& prune, const Visit& visit) const;
+
   Mesh mesh_;
-  std::vector<int> order_;
-  std::vector<Node> nodes_;
-  std::vector<std::array<Vec3, 3>> triangles_;  // in order_
+  Vec3 origin_ = Vec3::Zero();
+  std::vector<Node> nodes_;  // parents before children
+  std::vector<NormalNode> normal_nodes_;
+  std::vector<int> order_;  // faces in the order of the leaves; the arrays below too
+  std::vector<std::array<Vec3, 3>> triangles_;
+  std::vector<Vec3> normals_;
+  std::vector<char> sliver_;
 };
 
 }  // namespace foramen

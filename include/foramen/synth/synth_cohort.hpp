@@ -2,6 +2,7 @@
 /// \file
 /// Vertebra-like shapes with known correspondence.
 
+#include <cstdint>
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
@@ -10,22 +11,35 @@
 namespace foramen {
 
 struct SynthOptions {
-  int shapes = 14;
-  std::uint64_t seed = 1;
-  int modes = 4;                    ///< True modes of variation; 0: every shape its own random deformation.
-  double amplitude_mm = 3.0;        ///< RMS displacement of a coordinate by the deformation [mm].
-  double correlation_mm = 25.0;     ///< Distance over which displacements fade out of step [mm].
-  int vertices = 10000;             ///< of a shape, about
+  int shapes = 14;         ///< >= 1
+  std::uint64_t seed = 1;  ///< of the cohort; every item has streams of its own, forked from it
+  int modes = 4;  ///< True modes of variation, of variances ~ 1/k; 0: every shape its own random deformation.
+  /// RMS displacement of a coordinate by the deformation, to first order, over the ensemble [mm]. >= 0. With
+  /// the default amplitude and correlation, closest normal-compatible points after rigid alignment by the
+  /// truth miss the true correspondence by about 1.8 mm on average, p95 3.9 mm for modes = 0 and 4.6 mm for
+  /// modes = 4.
+  double amplitude_mm = 2.1;
+  /// Displacements at distance r are correlated by exp(-r^2 / (2 correlation_mm^2)) [mm]. > 0.
+  double correlation_mm = 40.0;
+  int vertices =
+      10000;  ///< of a shape, within 5 %; at least 1500, since larger triangles would bridge thin processes
 };
 
 struct SynthShape {
-  TriangleSoup surface;   ///< its own triangulation, shuffled, in a random pose
-  TriangleSoup truth;     ///< the common truth mesh carried by the same deformation and pose: identical triangles in all shapes
+  TriangleSoup surface;  ///< its own triangulation, shuffled, in a random pose
+  TriangleSoup truth;    ///< the common truth mesh carried by the same deformation and pose: identical
+                         ///< triangles in all shapes
 };
 
-/// A lumbar vertebra with body, canal and processes as an implicit surface, carried by the flow of smooth random
-/// velocity fields (so each deformation is a diffeomorphism), every shape triangulated anew. Genus 1, closed, manifold, outward.
-/// Item i of n does not depend on n (for modes = 0 and modes > 0 alike).
+/// A lumbar vertebra with body, canal and processes as an implicit surface (vertebra_surface), carried by the
+/// flow of smooth random velocity fields (so each deformation is a diffeomorphism), every shape triangulated
+/// anew. Genus 1, closed, manifold, outward.
+///
+/// The field of item i is \f$ v_i = \sum_k b_{ik} V_k \f$, with \f$ b_{ik} \sim N(0, \sigma_k^2) \f$,
+/// \f$ \sigma_k^2 \propto 1/k \f$, \f$ \sum_k \sigma_k^2 \f$ = amplitude^2 and V_k fields of the cohort;
+/// without modes it is amplitude times a field of its own. The pose is any rotation and a translation within
+/// +-200 mm in each coordinate. Item i of n does not depend on n (for modes = 0 and modes > 0 alike), nor
+/// anything on the number of threads. Throws InvalidInput for options out of range.
 std::vector<SynthShape> synth_cohort(const SynthOptions& options, const RunContext& ctx);
 
 }  // namespace foramen

@@ -8,14 +8,14 @@
 
 namespace foramen {
 
-/// A closed integer 1-form with values in Z^2: value(twin(h)) = -value(h), and the three values round every face sum to
-/// zero. In exact arithmetic.
+/// A closed integer 1-form with values in Z^2: value(twin(h)) = -value(h), and the three values round every
+/// face sum to zero. In exact arithmetic.
 struct Cocycle {
   HalfedgeMap<Vec2i> value;
 };
 
-/// The cocycle whose integral over loop k of the system is the k-th unit vector: 0 on the tree, (1,0) and (0,1) on the
-/// two generators, the rest by peeling the leaves of the dual tree. \pre genus 1 (two loops).
+/// The cocycle whose integral over loop k of the system is the k-th unit vector: 0 on the tree, (1,0) and
+/// (0,1) on the two generators, the rest by peeling the leaves of the dual tree. \pre genus 1 (two loops).
 Cocycle cocycle(const Mesh& mesh, const LoopSystem& loops);
 
 /// Sum of the values over a walk.

@@ -1,0 +1,119 @@
+#include "build_options.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/pipeline/run_build.hpp"
+
+namespace foramen::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Value>
+CLI::CheckedTransformer one_of(const std::map<std::string, Value>& names) {
+  return CLI::CheckedTransformer(names, CLI::ignore_case);
+}
+
+struct BuildCommand {
+  BuildFlags flags;
+  std::vector<std::string> inputs;
+  std::string output;
+  LengthUnit unit = LengthUnit::millimetre;
+  bool strict = false;
+  Console console;
+};
+
+int build(const BuildCommand& command) {
+  BuildRequest request;
+  for (const std::string& input : command.inputs) request.inputs.emplace_back(input);
+  request.output = command.output;
+  request.unit = command.unit;
+  request.build = command.flags.resolved();
+  request.evaluation = command.flags.evaluation;
+  request.subject_pattern = command.flags.subject_pattern;
+  request.canonical_command = command.console.command;
+  return finish_build(request, command.console, command.strict);
+}
+
+// The command as it is recorded: what decides the result, and nothing else.
+std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
+  static const std::vector<std::string> without{"--output", "--threads", "--json", "--quiet", "inputs", "--help"};
+  std::string text = "foramen " + command.get_name();
+  for (const std::string& input : inputs) text += " " + fs::path(input).lexically_normal().filename().string();
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_single_name();
+    const std::string shown = option->get_lnames().empty() ? name : "--" + option->get_lnames().front();
+    if (option->count() == 0 || std::find(without.begin(), without.end(), shown) != without.end()) continue;
+    text += " " + shown;
+    if (option->get_type_size() > 0)
+      for (const std::string& value : option->results()) text += " " + value;
+  }
+  return text;
+}
+
+}  // namespace
+
+void BuildFlags::add_to(CLI::App& command) {
+  command.add_option("--method", build.method, "torus maps, or the ICP baseline")
+      ->transform(one_of<Method>({{"torus", Method::torus}, {"icp", Method::icp}}));
+  command.add_option("--reference", build.reference, "name of the reference shape, or auto");
+  lambda_option = command.add_option("--lambda", lambda, "weight of distortion against correspondence")
+                      ->check(CLI::PositiveNumber);
+  auto* count = command.add_option("--landmarks", build.landmarks, "number of landmarks (refinement may add 5 %)")
+                    ->check(CLI::Range(50, 200000));
+  command.add_option("--target-error", build.target_error_mm, "as few landmarks as represent the shapes this well [mm]")
+      ->check(CLI::PositiveNumber)
+      ->excludes(count);
+  command.add_option("--samples", evaluation.draws, "random shapes for specificity")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--seed", build.seed, "seed of all random numbers");
+  command.add_option("--scale", build.scale, "keep or remove the shapes' size")
+      ->transform(one_of<ScaleMode>({{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}}));
+  command.add_option("--subject-regex", subject_pattern, "the part of a file name that names its subject (first group, or all)");
+  command.add_flag("--paper", paper, "the paper's own choices throughout");
+  map_option = command.add_option("--initial-map", initial_map, "first map of a shape")
+                   ->transform(one_of<InitialMap>({{"torus", InitialMap::torus}, {"rectangle", InitialMap::rectangle}}));
+  optimiser_option =
+      command.add_option("--optimiser", optimiser, "projected Newton, or the paper's node-wise descent")
+          ->transform(one_of<Optimiser>({{"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}}));
+}
+
+BuildOptions BuildFlags::resolved() const {
+  BuildOptions options = build;
+  if (paper) options.registration = paper_options();
+  if (lambda_option->count() > 0) options.registration.lambda = lambda;
+  if (map_option->count() > 0) options.registration.initial_map = initial_map;
+  if (optimiser_option->count() > 0) options.registration.optimiser = optimiser;
+  options.remeshing.seed = options.seed;
+  return options;
+}
+
+int finish_build(const BuildRequest& request, const Console& console, bool strict) {
+  const BuildSummary summary = run_build(request, console.context());
+  for (const LeftOut& shape : summary.left_out) console.warn("left out " + shape.file_name + ": " + shape.reason);
+  for (const std::string& note : summary.notes) console.warn(note);
+  if (console.json)
+    std::cout << summary.json << '\n';
+  else
+    console.say(summary.text);
+  return strict && !summary.left_out.empty() ? ExitCode::refused : ExitCode::done;
+}
+
+void add_build(CLI::App& program, Run& run) {
+  auto options = std::make_shared<BuildCommand>();
+  CLI::App* command = program.add_subcommand("build", "a statistical shape model from surfaces, with its evaluation and report");
+  command->add_option("inputs", options->inputs, "mesh files or folders of them")->required();
+  command->add_option("-o,--output", options->output, "folder of the model")->required();
+  options->flags.add_to(*command);
+  command->add_option("--units", options->unit, "unit of the input files: mm, cm, m, um")
+      ->transform(one_of<LengthUnit>({{"mm", LengthUnit::millimetre},
+                                      {"cm", LengthUnit::centimetre},
+                                      {"m", LengthUnit::metre},
+                                      {"um", LengthUnit::micrometre}}));
+  command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
+  add_console_options(*command, options->console);
+  command->callback([options, command, &run] {
+    options->console.command = canonical_command(*command, options->inputs);
+    run = [options] { return build(*options); };
+  });
+}
+
+}  // namespace foramen::app

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The options of a build, which `build` and `demo` share.
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "foramen/pipeline/run_build.hpp"
+
+namespace foramen::app {
+
+struct BuildFlags {
+  BuildOptions build;
+  EvaluationOptions evaluation;
+  std::string subject_pattern;
+  bool paper = false;
+  double lambda = 0;
+  InitialMap initial_map = InitialMap::torus;
+  Optimiser optimiser = Optimiser::newton;
+  CLI::Option *lambda_option = nullptr, *map_option = nullptr, *optimiser_option = nullptr;
+
+  void add_to(CLI::App& command);
+  /// --paper sets the paper's choices; what was given by name overrides them.
+  BuildOptions resolved() const;
+};
+
+/// Runs the build, tells the user, gives the exit code.
+int finish_build(const BuildRequest& request, const Console& console, bool strict);
+
+}  // namespace foramen::app

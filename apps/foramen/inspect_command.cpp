@@ -1,0 +1,121 @@
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/core/units.hpp"
+#include "foramen/io/mesh_file.hpp"
+#include "foramen/topology/inspect_mesh.hpp"
+
+namespace foramen::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json as_json(const std::string& file, const MeshReport& r, const std::optional<AnatomicalSpace>& space) {
+  const auto obstacle = obstacle_to_model(r);
+  ordered_json out = {{"file", file},
+                      {"usable", !obstacle},
+                      {"vertices", r.vertices},
+                      {"triangles", r.triangles},
+                      {"edges", r.edges},
+                      {"closed", r.closed()},
+                      {"boundary_edges", r.boundary_edges},
+                      {"manifold", r.manifold()},
+                      {"non_manifold_edges", r.non_manifold_edges},
+                      {"non_manifold_vertices", r.non_manifold_vertices},
+                      {"oriented", r.oriented()},
+                      {"inward", r.inward},
+                      {"components", r.components},
+                      {"euler_number", r.euler_number},
+                      {"genus", r.genus ? ordered_json(*r.genus) : ordered_json()},
+                      {"degenerate_triangles", r.degenerate_triangles},
+                      {"duplicate_triangles", r.duplicate_triangles},
+                      {"duplicate_vertices", r.duplicate_vertices},
+                      {"invalid_triangles", r.invalid_triangles},
+                      {"non_finite_vertices", r.non_finite_vertices},
+                      {"unused_vertices", r.unused_vertices},
+                      {"bounding_box", {{r.box.low.x(), r.box.low.y(), r.box.low.z()},
+                                        {r.box.high.x(), r.box.high.y(), r.box.high.z()}}},
+                      {"diagonal", r.box.diagonal()},
+                      {"area", r.area},
+                      {"volume", r.volume},
+                      {"mean_edge", r.mean_edge}};
+  if (space) out["space"] = *space == AnatomicalSpace::lps ? "LPS" : "RAS";
+  const auto likely = likely_unit(r.box.diagonal());
+  const bool plausible = r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm;
+  out["likely_units"] = plausible ? ordered_json("mm") : likely ? ordered_json(name(*likely)) : ordered_json();
+  if (obstacle) {
+    out["finding"] = obstacle->finding;
+    out["remedy"] = obstacle->remedy;
+  }
+  return out;
+}
+
+std::string yes_no(bool value) { return value ? "yes" : "no"; }
+
+void print(const std::string& file, const MeshReport& r) {
+  std::cout << file << '\n'
+            << "  vertices " << r.vertices << ", triangles " << r.triangles << ", edges " << r.edges << ", components "
+            << r.components << '\n'
+            << "  closed " << yes_no(r.closed()) << ", manifold " << yes_no(r.manifold()) << ", oriented "
+            << yes_no(r.oriented()) << (r.inward ? " (inward)" : "") << ", Euler number " << r.euler_number
+            << ", genus " << (r.genus ? std::to_string(*r.genus) : std::string("undefined")) << '\n'
+            << "  degenerate triangles " << r.degenerate_triangles << ", duplicate triangles " << r.duplicate_triangles
+            << ", duplicate vertices " << r.duplicate_vertices << '\n';
+  const Vec3 size = r.box.high - r.box.low;
+  std::cout << "  size " << size.x() << " x " << size.y() << " x " << size.z();
+  if (r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm)
+    std::cout << " (mm)";
+  else if (const auto likely = likely_unit(r.box.diagonal()))
+    std::cout << " (not mm; probably " << name(*likely) << ")";
+  else
+    std::cout << " (the size of no vertebra in mm, cm, m or um)";
+  std::cout << ", area " << r.area << ", volume " << r.volume << '\n';
+  if (const auto obstacle = obstacle_to_model(r))
+    std::cout << "  NOT USABLE: " << obstacle->finding << "; " << obstacle->remedy << '\n';
+  else
+    std::cout << "  usable" << (r.inward ? " (its inward winding will be reversed)" : "") << '\n';
+}
+
+struct InspectOptions {
+  std::vector<std::string> files;
+  Console console;
+};
+
+int inspect(const InspectOptions& options) {
+  ordered_json all = ordered_json::array();
+  bool refused_any = false;
+  for (const std::string& file : options.files) {
+    try {
+      const MeshFile read = read_mesh(file);
+      const MeshReport report = inspect_mesh(read.soup);
+      if (options.console.json)
+        all.push_back(as_json(file, report, read.space));
+      else if (!options.console.quiet)
+        print(file, report);
+      refused_any |= obstacle_to_model(report).has_value();
+    } catch (const Error& e) {
+      refused_any = true;
+      if (options.console.json)
+        all.push_back({{"file", file}, {"usable", false}, {"finding", e.what()}});
+      else
+        std::cerr << "foramen: " << e.what() << '\n';
+    }
+  }
+  if (options.console.json) std::cout << ordered_json{{"files", all}}.dump(2) << '\n';
+  return refused_any ? ExitCode::refused : ExitCode::done;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& program, Run& run) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* command = program.add_subcommand("inspect", "topology and quality audit of surfaces, one verdict a file");
+  command->add_option("files", options->files, "mesh files")->required();
+  add_console_options(*command, options->console);
+  command->callback([options, &run] { run = [options] { return inspect(*options); }; });
+}
+
+}  // namespace foramen::app

@@ -1,0 +1,55 @@
+#include <iostream>
+
+#include "command.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/pipeline/version.hpp"
+
+namespace {
+
+using namespace foramen;
+using namespace foramen::app;
+
+int run_program(int argc, char** argv) {
+  CLI::App program{"foramen: statistical shape models of vertebrae, automatically\n"
+                   "Example: foramen build shapes/ -o model"};
+  program.set_version_flag("--version", "foramen " + version());
+  program.require_subcommand(1);
+  Run run;
+  add_demo(program, run);
+  add_synth(program, run);
+  add_inspect(program, run);
+  add_build(program, run);
+  add_evaluate(program, run);
+  add_compare(program, run);
+  add_sample(program, run);
+  add_modes(program, run);
+  add_report(program, run);
+  add_render(program, run);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return program.exit(e) == 0 ? ExitCode::done : ExitCode::usage;
+  }
+  return run();
+}
+
+int fail(const char* what, ExitCode code) {
+  std::cerr << "foramen: " << what << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_program(argc, argv);
+  } catch (const Cancelled&) {
+    return fail("stopped; nothing was left half-written", ExitCode::cancelled);
+  } catch (const ConvergenceError& e) {
+    return fail(e.what(), ExitCode::not_converged);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", ExitCode::refused);
+  } catch (const std::exception& e) {
+    return fail(e.what(), ExitCode::refused);
+  }
+}

@@ -1,0 +1,65 @@
+#include <cstdio>
+#include <filesystem>
+
+#include "command.hpp"
+#include "foramen/io/mesh_file.hpp"
+#include "foramen/synth/synth_cohort.hpp"
+#include "shape_options.hpp"
+
+namespace foramen::app {
+namespace {
+
+struct SynthCommand {
+  SynthOptions synth;
+  std::string output;
+  Console console;
+};
+
+int synth(const SynthCommand& command) {
+  const auto shapes = synth_cohort(command.synth, command.console.context());
+  write_synth_cohort(shapes, command.output);
+  command.console.say("wrote " + std::to_string(shapes.size()) + " shapes to " + command.output + "/shapes and their true "
+                      "correspondence to " + command.output + "/truth");
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_synth_options(CLI::App& command, SynthOptions& options) {
+  command.add_option("-n,--shapes", options.shapes, "number of shapes")->check(CLI::Range(1, 100000));
+  command.add_option("--seed", options.seed, "seed of all random numbers");
+  command.add_option("--modes", options.modes, "true modes of variation; 0: every shape its own deformation")
+      ->check(CLI::Range(0, 1000));
+  command.add_option("--amplitude", options.amplitude_mm, "RMS displacement of a coordinate [mm]")
+      ->check(CLI::Range(0.0, 20.0));
+  command.add_option("--correlation", options.correlation_mm, "correlation length of the displacement [mm]")
+      ->check(CLI::Range(5.0, 500.0));
+  command.add_option("--vertices", options.vertices, "vertices of a shape, about")->check(CLI::Range(500, 200000));
+}
+
+std::string synth_name(int index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "synth%03d", index + 1);
+  return name;
+}
+
+void write_synth_cohort(const std::vector<SynthShape>& shapes, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder / "shapes");
+  std::filesystem::create_directories(folder / "truth");
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string file = synth_name(static_cast<int>(i)) + ".ply";
+    write_ply(folder / "shapes" / file, shapes[i].surface);
+    write_ply(folder / "truth" / file, shapes[i].truth);
+  }
+}
+
+void add_synth(CLI::App& program, Run& run) {
+  auto options = std::make_shared<SynthCommand>();
+  CLI::App* command = program.add_subcommand("synth", "vertebra-like shapes with known correspondence");
+  add_synth_options(*command, options->synth);
+  command->add_option("-o,--output", options->output, "folder to write")->required();
+  add_console_options(*command, options->console);
+  command->callback([options, &run] { run = [options] { return synth(*options); }; });
+}
+
+}  // namespace foramen::app

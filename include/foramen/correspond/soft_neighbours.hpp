@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// The paper's correspondence term: every vertex is drawn to the torus positions of its nearest neighbours on the reference.
+
+#include "foramen/parameterize/optimise_map.hpp"
+
+namespace foramen {
+
+enum class NeighbourSearch {
+  points,           ///< the paper's: nearest in space, also through a thin wall
+  oriented_points,  ///< nearest by position and normal (8 mm per unit of normal difference)
+};
+enum class NeighbourWeights {
+  absolute,  ///< [becker2011 Eq. 4]: exp(-distance / mm): vanishes where shapes differ by several millimetres
+  relative,  ///< the same, divided by their sum: every vertex pulls with the same total weight
+};
+
+struct SoftNeighboursOptions {
+  int count = 8;                   ///< q, neighbours per vertex. > 0.
+  NeighbourSearch search = NeighbourSearch::oriented_points;
+  NeighbourWeights weights = NeighbourWeights::relative;
+  double smoothing = 1e-3;         ///< eps in sqrt(r^2 + eps^2) for the distance r on the torus of area 1. > 0.
+};
+
+/// E_cor,j = sum over the q nearest reference vertices k of w_jk |p_j - p_k|, [becker2011 Eq. 4], with the distance to the nearest lattice
+/// translate, smoothed as sqrt(r^2 + eps^2). Positions in the plane of the reference's lattice (area 1). The Hessian is exact; it is
+/// positive semi-definite by nature.
+class SoftNeighbours : public CorrespondenceObjective {
+ public:
+  SoftNeighbours(const Mesh& aligned_shape, const Mesh& reference, const TorusMap& reference_map,
+                 const SoftNeighboursOptions& options = {});
+  Term term(VertexId v, const Vec2& plane_position) const override;
+
+ private:
+  int count_;
+  double squared_smoothing_;
+  LatticeReducer reducer_;
+  std::vector<Vec2> targets_;    // count_ per vertex, in the plane
+  std::vector<double> weights_;  // the same
+};
+
+}  // namespace foramen

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// All measures of a cohort in correspondence.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "foramen/evaluate/compactness.hpp"
+#include "foramen/evaluate/ensemble.hpp"
+#include "foramen/evaluate/generalization.hpp"
+#include "foramen/evaluate/representation.hpp"
+#include "foramen/evaluate/specificity.hpp"
+#include "foramen/evaluate/truth_error.hpp"
+
+namespace foramen {
+
+struct EvaluationOptions {
+  ScaleMode scale = ScaleMode::keep;
+  int draws = 1000;                    ///< for specificity, > 0
+  int samples = 20000;                 ///< of each surface for its distances, > 0
+  int specificity_samples = 2000;      ///< the same for specificity, > 0
+  std::uint64_t seed = 1;
+};
+
+struct EvaluationSeconds {
+  double model = 0, representation = 0, generalization = 0, specificity = 0, truth = 0;
+};
+
+struct Evaluation {
+  EvaluationOptions options;
+  std::vector<std::string> names;
+  std::vector<std::string> subjects;   ///< empty: not known
+  int landmarks = 0;
+  double total_variance = 0;           ///< per landmark, mm^2
+  std::vector<CompactnessAtModes> compactness;
+  Generalization leave_one_out;
+  std::optional<Generalization> leave_subject_out;   ///< unset: subjects not known, or fewer than 2, or too few shapes remain
+  Specificity specificity;
+  std::vector<EnsembleAtModes> ensemble;
+  Representation representation;
+  std::optional<TruthError> truth;     ///< unset: no truth was given
+  EvaluationSeconds seconds;           ///< how long it took; differs from run to run, nothing else does
+};
+
+/// Every measure, as docs/evaluation.md defines it. Throws InvalidInput for fewer than 3 shapes or a cohort that does not fit together.
+Evaluation evaluate_model(const CorrespondingCohort& cohort, const EvaluationOptions& options, const RunContext& ctx,
+                          const TrueCorrespondence* truth = nullptr);
+
+}  // namespace foramen

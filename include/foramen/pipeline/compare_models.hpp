@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Models side by side: the paper's Fig. 4.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace foramen {
+
+struct ModelComparison {
+  std::string text;  ///< tables of generalization and specificity with standard errors, for a terminal
+  std::string json;  ///< the same as one object
+  std::string html;  ///< a page with curves and tables
+  std::vector<std::pair<std::string, std::string>> charts;  ///< file name and SVG of each chart
+};
+
+/// Reads the metrics of each model's folder; names them by their folders. Throws IoError if a folder has none.
+ModelComparison compare_models(const std::vector<std::filesystem::path>& models);
+
+}  // namespace foramen

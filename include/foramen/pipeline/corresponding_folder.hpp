@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Folders of meshes in correspondence: ours, another tool's, or the truth of a synthetic set.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "foramen/core/units.hpp"
+#include "foramen/evaluate/truth_error.hpp"
+
+namespace foramen {
+
+/// Meshes with identical triangles. Throws InvalidInput naming the first that differs.
+struct CorrespondingFolder {
+  std::vector<std::string> names;  ///< stems, sorted
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<std::vector<Vec3>> shapes;  ///< mm
+};
+CorrespondingFolder read_corresponding(const std::filesystem::path& folder, LengthUnit unit = LengthUnit::millimetre);
+
+/// The true correspondence of the shapes of these names. Throws InvalidInput if the folder lacks one.
+TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
+}  // namespace foramen

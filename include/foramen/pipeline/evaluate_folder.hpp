@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// Evaluation of corresponding meshes from any tool.
+
+#include <filesystem>
+#include <string>
+
+#include "foramen/core/run_context.hpp"
+#include "foramen/evaluate/evaluate_model.hpp"
+
+namespace foramen {
+
+struct EvaluateFolderRequest {
+  std::filesystem::path corresponding;  ///< folder of corresponding meshes, or a model's folder (its corresponding/)
+  std::filesystem::path shapes;         ///< folder of the original surfaces; empty: distances are to the corresponding meshes
+  std::filesystem::path truth;          ///< folder of the true correspondence; empty: unknown
+  std::filesystem::path output;         ///< folder for the metrics; empty: not written
+  std::string subject_pattern;
+  EvaluationOptions options = {};
+};
+
+struct EvaluatedFolder {
+  Evaluation evaluation;
+  std::string text, json;
+};
+
+/// Throws InvalidInput if meshes do not correspond or a shape is missing.
+EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunContext& ctx);
+
+}  // namespace foramen

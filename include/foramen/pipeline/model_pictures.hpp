@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Pictures of a model, for reports and papers.
+
+#include <string>
+#include <vector>
+
+#include "foramen/model/shape_model.hpp"
+#include "foramen/pipeline/atlas_file.hpp"
+#include "foramen/report/report_page.hpp"
+
+namespace foramen {
+
+/// The template with its loops, its torus map with a checkerboard, and the first modes at +-2 sd; empty where no
+/// picture can be made (see can_render()).
+std::vector<ReportPicture> model_pictures(const Atlas& atlas, const ShapeModel& model);
+
+/// A corresponding mesh and its flipped triangles.
+struct FlippedMesh {
+  std::string name;
+  TriangleSoup soup;
+  std::vector<int> flipped;
+};
+
+/// The meshes one above the other, each in two views, flipped triangles red: the paper's Fig. 2. Throws Error where no picture can be made.
+ReportPicture flips_picture(const std::vector<FlippedMesh>& meshes);
+
+}  // namespace foramen

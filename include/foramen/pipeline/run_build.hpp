@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// A whole build from files to files: read, build, evaluate, write.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/pipeline/build_model.hpp"
+
+namespace foramen {
+
+struct BuildRequest {
+  std::vector<std::filesystem::path> inputs;  ///< files and folders
+  std::filesystem::path output;               ///< the model's folder
+  LengthUnit unit = LengthUnit::millimetre;   ///< of the inputs
+  BuildOptions build = {};
+  EvaluationOptions evaluation = {};
+  std::string subject_pattern;                ///< regular expression on stems; empty: subjects unknown
+  std::filesystem::path truth;                ///< folder of true correspondence; empty: unknown
+  std::string canonical_command;              ///< recorded in the files
+};
+
+struct BuildSummary {
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  std::string text;                ///< a few lines for a terminal
+  std::string json;                ///< the same as one object
+};
+
+/// Writes every file of the model's folder, each whole or not at all. Throws the errors of its stages.
+BuildSummary run_build(const BuildRequest& request, const RunContext& ctx);
+
+/// The subject of a shape: the pattern's first group (or whole match) in the stem; the stem itself if it does not match. Throws InvalidInput if the
+/// pattern is no regular expression.
+std::string subject_of(const std::string& stem, const std::string& pattern);
+
+}  // namespace foramen

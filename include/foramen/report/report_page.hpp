@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The report of a build or a comparison: one static, self-contained HTML page.
+
+#include <string>
+#include <vector>
+
+#include "foramen/report/svg_chart.hpp"
+
+namespace foramen {
+
+struct ReportTable {
+  std::string title, note;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+
+struct ReportPicture {
+  std::string caption;
+  std::string png;  ///< the file's bytes
+};
+
+struct ReportSection {
+  std::string title;
+  std::vector<std::string> paragraphs;
+  std::vector<ReportTable> tables;
+  std::vector<Chart> charts;
+  std::vector<ReportPicture> pictures;
+};
+
+struct ReportPage {
+  std::string title, subtitle;
+  std::vector<ReportSection> sections;
+};
+
+/// All text is escaped; nothing is loaded from elsewhere. Readable on a phone and on a wide screen, light and dark, printable.
+std::string report_html(const ReportPage& page);
+
+}  // namespace foramen

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// Curves with error bars as SVG.
+
+#include <string>
+#include <vector>
+
+namespace foramen {
+
+struct ChartSeries {
+  std::string name;
+  std::vector<double> x, y;
+  std::vector<double> error;  ///< half-length of the error bars (standard errors); empty: none
+};
+
+struct Chart {
+  std::string title;
+  std::string x_label, y_label;  ///< with unit
+  std::vector<ChartSeries> series;
+};
+
+/// A self-contained <svg> element. Colours come from CSS classes series-0 ... with defaults inside, so that a page's dark scheme can change
+/// them. The y axis starts at zero when the smallest value is below a third of the largest. Identical input gives identical text.
+std::string svg_chart(const Chart& chart);
+
+}  // namespace foramen

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// The template of the synthetic cohorts: a lumbar vertebra as an implicit surface.
+
+#include "foramen/core/geometry.hpp"
+#include "foramen/synth/isosurface.hpp"
+
+namespace foramen {
+
+/// A lumbar vertebra of real size, left-right symmetric, in millimetres: x to the left, y backwards, z
+/// upwards, the origin in the middle of the body.
+///
+/// Body of 48 x 34 x 27 mm with concave endplates, a waist and a hollow posterior wall, two pedicles,
+/// laminae, a hatchet-like spinous process, two transverse and four articular processes, the canal cut out of
+/// the arch. Parts are joined by the cubic polynomial smooth minimum \f$ \min(a,b) - k h^3/6,\ h = \max(0, 1
+/// - |a-b|/k) \f$, so that the function is continuously differentiable near the surface, which is one closed
+/// surface of genus 1.
+ImplicitValue vertebra_surface(const Vec3& point);
+
+/// A box that holds the whole surface, with some millimetres of room.
+BoundingBox vertebra_bounds();
+
+}  // namespace foramen

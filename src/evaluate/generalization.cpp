@@ -1,0 +1,143 @@
+#include "foramen/evaluate/generalization.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "evaluate/measured_surface.hpp"
+#include "evaluate/pruned_distance.hpp"
+#include "evaluate/stage_progress.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/core/parallel.hpp"
+
+namespace foramen {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Shapes that are left out together.
+using Group = std::vector<int>;
+
+std::vector<Group> groups_of(const CorrespondingCohort& cohort, LeaveOut leave_out) {
+  std::vector<Group> groups;
+  std::vector<std::string> subjects;
+  for (int i = 0; i < cohort.size(); ++i) {
+    if (leave_out == LeaveOut::shape) {
+      groups.push_back({i});
+      continue;
+    }
+    const std::string& subject = cohort.subjects[static_cast<std::size_t>(i)];
+    const auto known = std::find(subjects.begin(), subjects.end(), subject);
+    if (known == subjects.end()) {
+      subjects.push_back(subject);
+      groups.push_back({i});
+    } else {
+      groups[static_cast<std::size_t>(known - subjects.begin())].push_back(i);
+    }
+  }
+  return groups;
+}
+
+struct PartialModel {
+  ProcrustesResult alignment;
+  ShapeModel model;
+};
+
+PartialModel model_without(const CorrespondingCohort& cohort, const Group& group, ScaleMode scale) {
+  std::vector<std::vector<Vec3>> others;
+  for (int i = 0; i < cohort.size(); ++i)
+    if (std::find(group.begin(), group.end(), i) == group.end())
+      others.push_back(cohort.corresponding[static_cast<std::size_t>(i)]);
+  PartialModel partial;
+  partial.alignment = procrustes(others, scale);
+  partial.model = build_shape_model(partial.alignment.aligned, cohort.triangles);
+  return partial;
+}
+
+/// The errors of the best fits of a shape by a model, at every number of modes.
+std::vector<ShapeError> fit_errors(const CorrespondingCohort& cohort, int shape, const PartialModel& partial,
+                                   const std::vector<int>& counts, const GeneralizationOptions& options) {
+  const auto& landmarks = cohort.corresponding[static_cast<std::size_t>(shape)];
+  const SimilarityTransform motion = align_to_mean(landmarks, partial.alignment, options.scale);
+  Eigen::VectorXd truth(static_cast<Eigen::Index>(3 * landmarks.size()));
+  for (std::size_t p = 0; p < landmarks.size(); ++p)
+    truth.segment<3>(static_cast<Eigen::Index>(3 * p)) = motion(landmarks[p]);
+
+  const ShapeModel& model = partial.model;
+  const Eigen::VectorXd scores = model.scores(truth, model.modes());
+  const detail::MeasuredSurface input(transformed(cohort.inputs[static_cast<std::size_t>(shape)], motion),
+                                      options.samples, options.seed);
+  detail::MeasuredSurface fit(build_mesh({unflattened(model.mean()), cohort.triangles}), options.samples,
+                              options.seed);
+  detail::FarthestClusters start;
+  std::vector<ShapeError> errors;
+  for (const int modes : counts) {
+    const Eigen::VectorXd x = model.reconstruct(scores.head(std::min(modes, model.modes())));
+    fit.move_to(unflattened(x));
+    const std::vector<double> from_fit = sample_distances(fit, input),
+                              from_input = sample_distances(input, fit);
+    const double largest_sample = std::max(*std::max_element(from_fit.begin(), from_fit.end()),
+                                           *std::max_element(from_input.begin(), from_input.end()));
+    errors.push_back({detail::hausdorff_distance(fit, input, infinity, start, largest_sample),
+                      0.5 * (detail::mean_of(from_fit) + detail::mean_of(from_input)),
+                      std::sqrt((x - truth).squaredNorm() / model.landmarks())});
+  }
+  return errors;
+}
+
+void check_options(const CorrespondingCohort& cohort, const GeneralizationOptions& options) {
+  if (options.samples <= 0)
+    throw InvalidInput("generalization: " + std::to_string(options.samples) +
+                       " samples a surface asked for; give 1 or more");
+  if (options.leave_out == LeaveOut::subject && cohort.subjects.empty())
+    throw InvalidInput(
+        "generalization: subjects are not known, so none can be left out; name them, or leave out shapes");
+}
+
+}  // namespace
+
+Generalization generalization(const CorrespondingCohort& cohort, const GeneralizationOptions& options,
+                              const RunContext& ctx) {
+  check_cohort(cohort);
+  check_options(cohort, options);
+  const std::vector<Group> groups = groups_of(cohort, options.leave_out);
+  const auto largest = std::max_element(groups.begin(), groups.end(),
+                                        [](const Group& a, const Group& b) { return a.size() < b.size(); });
+  const int remaining = cohort.size() - static_cast<int>(largest->size());
+  if (remaining < 2)
+    throw InvalidInput("generalization: without " +
+                       cohort.subjects[static_cast<std::size_t>(largest->front())] + " only " +
+                       std::to_string(remaining) + " shapes remain; a model needs 2");
+
+  std::vector<PartialModel> models(groups.size());
+  parallel_for(static_cast<int>(groups.size()), ctx, [&](int g) {
+    models[static_cast<std::size_t>(g)] =
+        model_without(cohort, groups[static_cast<std::size_t>(g)], options.scale);
+  });
+  std::vector<std::size_t> group_of(cohort.corresponding.size());
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const int i : groups[g]) group_of[static_cast<std::size_t>(i)] = g;
+
+  const std::vector<int> counts = mode_counts(remaining - 1);
+  std::vector<std::vector<ShapeError>> errors(cohort.corresponding.size());
+  detail::StageProgress progress(ctx, "generalization", cohort.size());
+  parallel_for(cohort.size(), ctx, [&](int i) {
+    const auto s = static_cast<std::size_t>(i);
+    errors[s] = fit_errors(cohort, i, models[group_of[s]], counts, options);
+    progress.finished_one();
+  });
+
+  Generalization result;
+  result.leave_out = options.leave_out;
+  result.groups = static_cast<int>(groups.size());
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    std::vector<ShapeError> items;
+    for (const auto& of_shape : errors) items.push_back(of_shape[k]);
+    result.by_modes.push_back(errors_at_modes(counts[k], std::move(items)));
+  }
+  return result;
+}
+
+}  // namespace foramen

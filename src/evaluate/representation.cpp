@@ -1,0 +1,55 @@
+#include "foramen/evaluate/representation.hpp"
+
+#include "evaluate/stage_progress.hpp"
+#include "foramen/core/parallel.hpp"
+#include "foramen/spatial/flips.hpp"
+
+namespace foramen {
+namespace {
+
+template <class Value>
+Estimate estimate_of(const std::vector<ShapeRepresentation>& shapes, Value value) {
+  std::vector<double> values;
+  for (const ShapeRepresentation& s : shapes) values.push_back(value(s));
+  return estimate(values);
+}
+
+ShapeRepresentation measure(const CorrespondingCohort& cohort, const AlignedCohort& aligned, int shape,
+                            const Mesh& mean, const SurfaceDistanceOptions& options) {
+  const auto s = static_cast<std::size_t>(shape);
+  const Mesh corresponding = corresponding_mesh(cohort, shape);
+  const TriangleTree input(cohort.inputs[s]);
+  const SampledFlips flips = sampled_flips(corresponding, input);
+  ShapeRepresentation result;
+  result.distance = surface_distance(TriangleTree(corresponding), input, options);
+  result.plain_flips = static_cast<int>(flips.plain.size());
+  result.confirmed_flips = static_cast<int>(flips.confirmed.size());
+  result.degenerate = static_cast<int>(flips.degenerate.size());
+  result.opposing_mean = opposing_mean(corresponding.with_positions(aligned.alignment.aligned[s]), mean);
+  return result;
+}
+
+}  // namespace
+
+Representation representation(const CorrespondingCohort& cohort, const AlignedCohort& aligned,
+                              const SurfaceDistanceOptions& options, const RunContext& ctx) {
+  check_cohort(cohort);
+  const Mesh mean = build_mesh({aligned.alignment.mean, cohort.triangles});
+  Representation result;
+  result.shapes.resize(cohort.corresponding.size());
+  detail::StageProgress progress(ctx, "representation", cohort.size());
+  parallel_for(cohort.size(), ctx, [&](int i) {
+    result.shapes[static_cast<std::size_t>(i)] = measure(cohort, aligned, i, mean, options);
+    progress.finished_one();
+  });
+  result.mean_surface = estimate_of(result.shapes, [](const auto& s) { return s.distance.mean; });
+  result.p95 = estimate_of(result.shapes, [](const auto& s) { return s.distance.p95; });
+  result.hausdorff = estimate_of(result.shapes, [](const auto& s) { return s.distance.hausdorff; });
+  result.plain_flips = estimate_of(result.shapes, [](const auto& s) { return double(s.plain_flips); });
+  result.confirmed_flips =
+      estimate_of(result.shapes, [](const auto& s) { return double(s.confirmed_flips); });
+  result.opposing_mean = estimate_of(result.shapes, [](const auto& s) { return double(s.opposing_mean); });
+  return result;
+}
+
+}  // namespace foramen

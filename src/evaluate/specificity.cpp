@@ -1,0 +1,148 @@
+#include "foramen/evaluate/specificity.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "evaluate/closest_shape.hpp"
+#include "evaluate/measured_surface.hpp"
+#include "evaluate/stage_progress.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/core/parallel.hpp"
+
+namespace foramen {
+namespace {
+
+using detail::MeasuredSurface;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// The table of distances is as fine as this part of the middle surface's diagonal when there are as many
+// surfaces to measure as this; for fewer it is coarser, since it has to pay for itself.
+constexpr double finest_lattice = 1.0 / 110;
+constexpr double surfaces_worth_the_finest = 5000;
+// How far drawn surfaces leave the mean, in standard deviations of a landmark.
+constexpr double usual_deviations = 2;
+
+/// mm
+double usual_reach(const ShapeModel& model) {
+  return 1 + usual_deviations * std::sqrt(model.variance().sum() / model.landmarks());
+}
+
+/// mm
+double lattice_spacing(const ShapeModel& model, int surfaces) {
+  const auto mean = unflattened(model.mean());
+  const double coarser = std::cbrt(surfaces_worth_the_finest / std::max(1, surfaces));
+  return bounding_box(mean).diagonal() * finest_lattice * std::max(1.0, coarser);
+}
+
+void lower(std::atomic<double>& smallest, double value) {
+  double seen = smallest.load();
+  while (value < seen && !smallest.compare_exchange_weak(seen, value)) {
+  }
+}
+
+/// Draws against the training shapes. Shared by all threads; what one draw finds about the smallest distance
+/// of a training shape to any draw spares work in others, and the smallest number is the same in any order.
+class Ensemble {
+ public:
+  Ensemble(const AlignedCohort& cohort, std::vector<int> counts, const SpecificityOptions& options,
+           const RunContext& ctx)
+      : model_(cohort.model),
+        options_(options),
+        counts_(std::move(counts)),
+        training_(MeasuredSurface(build_mesh({unflattened(model_.mean()), model_.triangles()}),
+                                  options.surface_samples, options.seed),
+                  cohort.inputs, options.surface_samples, options.seed, usual_reach(model_),
+                  lattice_spacing(model_, options.draws * static_cast<int>(counts_.size())), ctx),
+        smallest_(counts_.size() * cohort.inputs.size()) {
+    for (const auto& landmarks : cohort.alignment.aligned) landmarks_.push_back(flattened(landmarks));
+    for (auto& s : smallest_) s.store(infinity);
+  }
+
+  /// The errors of one draw at every number of modes.
+  std::vector<ShapeError> measure(Rng rng) {
+    const Eigen::VectorXd b = model_.draw(rng);
+    Eigen::VectorXd x = model_.mean();
+    MeasuredSurface probe = training_.middle;
+    detail::ClosestShapeSearch search(training_);
+    std::vector<ShapeError> errors;
+    int added = 0;
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      const int modes = std::min(counts_[k], model_.modes());
+      for (; added < modes; ++added) x += b[added] * model_.basis().col(added);
+      probe.move_to(unflattened(x));
+      search.look_at(probe);
+      ShapeError error;
+      error.landmark_rms = smallest_landmark_rms(x);
+      if (options_.hausdorff)
+        error.hausdorff =
+            search.smallest_hausdorff([&](std::size_t i) { return smallest(k, i).load(); },
+                                      [&](std::size_t i, double d) { lower(smallest(k, i), d); });
+      if (options_.mean_surface) error.mean_surface = search.smallest_mean();
+      errors.push_back(error);
+    }
+    return errors;
+  }
+
+  std::vector<double> nearest_draw(std::size_t k) {
+    std::vector<double> nearest;
+    for (std::size_t i = 0; i < landmarks_.size(); ++i) nearest.push_back(smallest(k, i).load());
+    return nearest;
+  }
+
+ private:
+  std::atomic<double>& smallest(std::size_t k, std::size_t shape) {
+    return smallest_[k * landmarks_.size() + shape];
+  }
+
+  double smallest_landmark_rms(const Eigen::VectorXd& x) const {
+    double squared = infinity;
+    for (const Eigen::VectorXd& shape : landmarks_) squared = std::min(squared, (shape - x).squaredNorm());
+    return std::sqrt(squared / model_.landmarks());
+  }
+
+  const ShapeModel& model_;
+  const SpecificityOptions& options_;
+  std::vector<int> counts_;
+  detail::TrainingSurfaces training_;
+  std::vector<Eigen::VectorXd> landmarks_;
+  std::vector<std::atomic<double>> smallest_;  // numbers of modes x shapes
+};
+
+void check_options(const SpecificityOptions& options) {
+  if (options.draws <= 0)
+    throw InvalidInput("specificity: " + std::to_string(options.draws) + " draws asked for; give 1 or more");
+  if (options.surface_samples <= 0)
+    throw InvalidInput("specificity: " + std::to_string(options.surface_samples) +
+                       " samples a surface asked for; give 1 or more");
+}
+
+}  // namespace
+
+Specificity specificity(const AlignedCohort& cohort, int last_mode, const SpecificityOptions& options,
+                        const RunContext& ctx) {
+  check_options(options);
+  const std::vector<int> counts = mode_counts(last_mode);
+  Ensemble ensemble(cohort, counts, options, ctx);
+  const Rng root(options.seed);
+  std::vector<std::vector<ShapeError>> errors(static_cast<std::size_t>(options.draws));
+  detail::StageProgress progress(ctx, "specificity", options.draws);
+  parallel_for(options.draws, ctx, [&](int draw) {
+    errors[static_cast<std::size_t>(draw)] = ensemble.measure(root.fork(static_cast<std::uint64_t>(draw)));
+    progress.finished_one();
+  });
+
+  Specificity result;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    std::vector<ShapeError> items;
+    for (const auto& of_draw : errors) items.push_back(of_draw[k]);
+    result.by_modes.push_back(errors_at_modes(counts[k], std::move(items)));
+    if (options.hausdorff) result.nearest_draw.push_back(ensemble.nearest_draw(k));
+  }
+  return result;
+}
+
+}  // namespace foramen

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// Progress of a parallel loop.
+
+#include <atomic>
+#include <string>
+
+#include "foramen/core/run_context.hpp"
+
+namespace foramen::detail {
+
+/// Counts finished items of a stage, from any thread.
+class StageProgress {
+ public:
+  StageProgress(const RunContext& ctx, std::string stage, int items)
+      : ctx_(ctx), stage_(std::move(stage)), items_(items) {}
+  void finished_one() { ctx_.step(stage_, static_cast<double>(++finished_) / items_); }
+
+ private:
+  const RunContext& ctx_;
+  std::string stage_;
+  int items_;
+  std::atomic<int> finished_{0};
+};
+
+}  // namespace foramen::detail

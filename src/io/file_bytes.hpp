@@ -1,0 +1,173 @@
+#pragma once
+/// \file
+/// Private to io: a file's bytes in memory, and cursors over them that never leave them.
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "foramen/io/mesh_file.hpp"
+
+namespace foramen::io_detail {
+
+/// The bytes of one file and the name that errors give it.
+struct Source {
+  std::string name;
+  std::string_view bytes;
+  /// Throws IoError "name: found; remedy".
+  [[noreturn]] void refuse(const std::string& found, const std::string& remedy) const;
+};
+
+/// The whole file. Throws IoError if it is not a regular file, cannot be read or is empty.
+std::string read_bytes(const std::filesystem::path& path);
+
+/// Part of a file as an error may show it: in quotes, at most 40 characters, nothing that a terminal would
+/// obey.
+std::string in_quotes(std::string_view text);
+
+/// A whole token as a number; nothing if it is none or out of range. "nan" and "inf" are numbers here.
+std::optional<double> to_number(std::string_view token);
+std::optional<std::int64_t> to_integer(std::string_view token);
+
+std::string lower_case(std::string_view text);
+
+/// Lines ended by LF or CRLF.
+class LineCursor {
+ public:
+  explicit LineCursor(std::string_view bytes) : bytes_(bytes) {}
+  /// The next line; false at the end.
+  bool next();
+  /// The next line with something on it.
+  bool next_filled();
+  std::string_view line() const { return line_; }
+  /// "line 12"
+  std::string place() const { return "line " + std::to_string(number_); }
+  std::size_t number() const { return number_; }
+  /// The first byte after the current line.
+  std::size_t offset() const { return offset_; }
+  std::size_t remaining() const { return bytes_.size() - offset_; }
+
+ private:
+  std::string_view bytes_, line_;
+  std::size_t offset_ = 0, number_ = 0;
+};
+
+/// The words of a line.
+class TokenCursor {
+ public:
+  explicit TokenCursor(std::string_view line) : rest_(line) {}
+  /// The next word; empty at the end.
+  std::string_view next();
+  /// What is left, without blanks at both ends.
+  std::string_view rest() const;
+
+ private:
+  std::string_view rest_;
+};
+
+enum class ByteOrder { little, big };
+
+/// Fixed-size values from bytes.
+class ByteCursor {
+ public:
+  ByteCursor(std::string_view bytes, std::size_t offset, ByteOrder order)
+      : bytes_(bytes), offset_(offset), order_(order) {}
+  std::size_t offset() const { return offset_; }
+  std::size_t remaining() const { return bytes_.size() - offset_; }
+  /// \pre remaining() >= sizeof(T)
+  template <class T>
+  T read() {
+    using Bits = std::conditional_t<
+        sizeof(T) == 8, std::uint64_t,
+        std::conditional_t<sizeof(T) == 4, std::uint32_t,
+                           std::conditional_t<sizeof(T) == 2, std::uint16_t, std::uint8_t>>>;
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < sizeof(T); ++i) {
+      const std::size_t shift = 8 * (order_ == ByteOrder::little ? i : sizeof(T) - 1 - i);
+      bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(bytes_[offset_ + i])) << shift;
+    }
+    offset_ += sizeof(T);
+    return std::bit_cast<T>(static_cast<Bits>(bits));
+  }
+
+ private:
+  std::string_view bytes_;
+  std::size_t offset_;
+  ByteOrder order_;
+};
+
+/// Appends a value's bytes, little endian on every machine.
+template <class T>
+void append_little_endian(std::string& out, T value) {
+  unsigned char bytes[sizeof(T)];
+  std::memcpy(bytes, &value, sizeof(T));
+  for (std::size_t i = 0; i < sizeof(T); ++i)
+    out += static_cast<char>(bytes[std::endian::native == std::endian::little ? i : sizeof(T) - 1 - i]);
+}
+
+/// Collects the SPACE tag of a file; refuses an unknown or a contradicting one.
+class SpaceTag {
+ public:
+  void see(const Source& source, std::string_view text);
+  std::optional<AnatomicalSpace> value() const { return value_; }
+
+ private:
+  std::optional<AnatomicalSpace> value_;
+};
+
+/// "LPS" or "RAS".
+std::string_view name(AnatomicalSpace space);
+
+/// Points and triangles being read; checks each as it comes. `place` names it in errors, e.g. "line 7".
+class SoupBuilder {
+ public:
+  explicit SoupBuilder(const Source& source) : source_(source) {}
+  /// Refuses counts that ids cannot hold or for which the file is too small, then reserves. `bytes_left` is
+  /// what follows the header; a point and a triangle need at least so many bytes each.
+  void expect(std::uint64_t points, std::uint64_t triangles, std::uint64_t bytes_left,
+              std::uint64_t point_bytes, std::uint64_t triangle_bytes);
+  template <class Place>
+  void add_point(const Vec3& p, const Place& place) {
+    if (!p.allFinite()) refuse_point(place());
+    soup_.points.push_back(p);
+  }
+  /// Corners must exist among `point_count` points.
+  template <class Place>
+  void add_triangle(const std::array<std::int64_t, 3>& t, std::uint64_t point_count, const Place& place) {
+    for (std::int64_t corner : t)
+      if (corner < 0 || static_cast<std::uint64_t>(corner) >= point_count)
+        refuse_corner(corner, point_count, place());
+    soup_.triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
+  }
+  std::size_t points() const { return soup_.points.size(); }
+  std::size_t triangles() const { return soup_.triangles.size(); }
+  /// \param written  the index as it stands in the file
+  [[noreturn]] void refuse_corner(std::int64_t written, std::uint64_t point_count,
+                                  const std::string& place) const;
+  /// The finished soup. Refuses one without triangles.
+  TriangleSoup take();
+
+ private:
+  [[noreturn]] void refuse_point(const std::string& place) const;
+  const Source& source_;
+  TriangleSoup soup_;
+};
+
+/// What to do about a file that ends early or has too much.
+inline constexpr const char* remedy_export_again =
+    "the file is damaged or was cut off: export or copy it again";
+inline constexpr const char* remedy_triangulate =
+    "triangulate the surface before reading it (e.g. MeshLab: Turn into a Pure Triangular Mesh)";
+inline constexpr const char* remedy_other_format =
+    "export the surface as a triangle mesh in PLY, STL, OBJ or OFF";
+
+/// Refuses a face that is no triangle.
+[[noreturn]] void refuse_polygon(const Source& source, const std::string& place, std::uint64_t corners);
+
+}  // namespace foramen::io_detail

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Private to io: one function per mesh format. Those that take a Source work on memory alone.
+
+#include <filesystem>
+
+#include "foramen/io/mesh_file.hpp"
+#include "io/file_bytes.hpp"
+
+namespace foramen::io_detail {
+
+MeshFile parse_ply(const Source& source);
+MeshFile parse_stl(const Source& source);
+MeshFile parse_obj(const Source& source);
+MeshFile parse_off(const Source& source);
+/// Legacy VTK PolyData.
+MeshFile parse_vtk(const Source& source);
+
+/// VTK XML PolyData, through VTK. Without VTK in this build it throws IoError that says so.
+MeshFile read_vtp(const std::filesystem::path& path);
+
+/// Throws InvalidInput unless every coordinate is finite in float32 and every corner exists.
+void check_writable(const std::filesystem::path& path, const TriangleSoup& soup);
+
+}  // namespace foramen::io_detail

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "io/mesh_formats.hpp"
+
+namespace foramen::io_detail {
+namespace {
+
+// What does not change the surface: texture, normals, names, materials, loose points and lines.
+constexpr std::array<std::string_view, 14> ignored_keywords{
+    "vt", "vn", "vp", "g", "o", "s", "mg", "p", "usemtl", "mtllib", "usemap", "l", "maplib", "bevel"};
+
+class ObjParser {
+ public:
+  explicit ObjParser(const Source& source) : source_(source), lines_(source.bytes), soup_(source) {}
+
+  MeshFile parse() {
+    while (lines_.next_filled()) parse_line();
+    for (const Face& face : faces_) {
+      const auto place = [&] { return "line " + std::to_string(face.line); };
+      for (std::int64_t corner : face.corners)  // named as the file does, from 1
+        if (static_cast<std::size_t>(corner) >= soup_.points())
+          soup_.refuse_corner(corner + 1, soup_.points(), place());
+      soup_.add_triangle(face.corners, soup_.points(), place);
+    }
+    return {soup_.take(), space_.value()};
+  }
+
+ private:
+  struct Face {
+    std::array<std::int64_t, 3> corners;  // from 0; vertices may still follow in the file
+    std::size_t line;
+  };
+
+  [[noreturn]] void refuse(const std::string& found, const char* remedy = remedy_export_again) const {
+    source_.refuse(lines_.place() + ": " + found, remedy);
+  }
+
+  void parse_line() {
+    const std::string_view line = lines_.line();
+    TokenCursor words(line);
+    const std::string_view keyword = words.next();
+    if (keyword.starts_with('#')) {
+      space_.see(source_, line);
+      return;
+    }
+    if (words.rest().ends_with('\\'))
+      refuse("a line continued on the next one", "export the surface again, one face a line");
+    if (keyword == "v")
+      parse_vertex(words);
+    else if (keyword == "f")
+      parse_face(words);
+    else if (std::find(ignored_keywords.begin(), ignored_keywords.end(), keyword) == ignored_keywords.end())
+      refuse("unknown line " + in_quotes(line), remedy_other_format);
+  }
+
+  // x y z, then nothing, a weight of 1, or a colour.
+  void parse_vertex(TokenCursor words) {
+    std::vector<double> values;
+    for (std::string_view word = words.next(); !word.empty() && !word.starts_with('#'); word = words.next()) {
+      const auto value = to_number(word);
+      if (!value) refuse("expected a number, found " + in_quotes(word));
+      values.push_back(*value);
+    }
+    if (values.size() < 3 || values.size() > 7 || values.size() == 5)
+      refuse("a vertex of " + std::to_string(values.size()) + " numbers instead of 3");
+    if (values.size() == 4 && values[3] != 1)
+      refuse("a vertex with a weight other than 1", remedy_other_format);
+    soup_.add_point({values[0], values[1], values[2]}, [&] { return lines_.place(); });
+  }
+
+  // v, v/vt, v//vn or v/vt/vn; each an integer, negative ones count back from the last vertex so far.
+  std::int64_t parse_corner(std::string_view word) const {
+    std::int64_t vertex = 0;
+    std::size_t part = 0;
+    for (std::size_t begin = 0; begin <= word.size(); ++part) {
+      const std::size_t end = std::min(word.find('/', begin), word.size());
+      const auto value = to_integer(word.substr(begin, end - begin));
+      const bool left_out = begin == end && part == 1 && end != word.size();
+      if (part > 2 || (!value && !left_out) || (value && *value == 0))
+        refuse("expected a corner such as 7, 7/1, 7//1 or 7/1/1, found " + in_quotes(word));
+      if (part == 0) vertex = *value;
+      begin = end + 1;
+    }
+    const auto known = static_cast<std::int64_t>(soup_.points());
+    if (vertex > 0) return vertex - 1;
+    if (-vertex > known) soup_.refuse_corner(vertex, soup_.points(), lines_.place());
+    return known + vertex;
+  }
+
+  void parse_face(TokenCursor words) {
+    Face face{{}, lines_.number()};
+    std::size_t corners = 0;
+    for (std::string_view word = words.next(); !word.empty() && !word.starts_with('#'); word = words.next()) {
+      const std::int64_t corner = parse_corner(word);
+      if (corners < 3) face.corners[corners] = corner;
+      ++corners;
+    }
+    if (corners != 3) refuse_polygon(source_, lines_.place(), corners);
+    faces_.push_back(face);
+  }
+
+  const Source& source_;
+  LineCursor lines_;
+  SoupBuilder soup_;
+  SpaceTag space_;
+  std::vector<Face> faces_;
+};
+
+}  // namespace
+
+MeshFile parse_obj(const Source& source) { return ObjParser(source).parse(); }
+
+}  // namespace foramen::io_detail

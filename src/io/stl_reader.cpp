@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "io/mesh_formats.hpp"
+
+namespace foramen::io_detail {
+namespace {
+
+constexpr std::size_t header_bytes = 80, preamble_bytes = header_bytes + 4, facet_bytes = 50;
+
+std::uint64_t announced_facets(const Source& source) {
+  return ByteCursor(source.bytes, header_bytes, ByteOrder::little).read<std::uint32_t>();
+}
+
+bool is_text(std::string_view bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 7 || byte == 127 || (byte > 13 && byte < 27);
+  });
+}
+
+// Binary files may begin with "solid" too. The count decides where it matches the size: the same four bytes
+// of a text would announce far more facets than it has room for. Otherwise only what begins like a text and
+// is one is a text.
+bool is_binary(const Source& source) {
+  if (source.bytes.size() >= preamble_bytes &&
+      source.bytes.size() == preamble_bytes + facet_bytes * announced_facets(source))
+    return true;
+  constexpr std::size_t looked_at = 1024;
+  TokenCursor words(source.bytes.substr(0, looked_at));
+  return lower_case(words.next()) != "solid" || !is_text(source.bytes.substr(0, looked_at));
+}
+
+// Gives corners at the very same place (0 and -0 are the same) one point. Points keep the order of first
+// appearance.
+TriangleSoup welded(const std::vector<Vec3>& corners) {
+  const auto key = [&](int i) {
+    const Vec3& p = corners[static_cast<std::size_t>(i)];
+    return std::tuple(p.x(), p.y(), p.z());
+  };
+  std::vector<int> order(corners.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(),
+            [&](int a, int b) { return key(a) != key(b) ? key(a) < key(b) : a < b; });
+  std::vector<int> first(corners.size());  // per corner: the first corner at its place
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
+    first[static_cast<std::size_t>(order[i])] =
+        same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+  }
+  TriangleSoup soup;
+  std::vector<int> point(corners.size());
+  for (std::size_t c = 0; c < corners.size(); ++c) {
+    const auto original = static_cast<std::size_t>(first[c]);
+    if (original == c) {
+      point[c] = static_cast<int>(soup.points.size());
+      soup.points.push_back(corners[c]);
+    } else {
+      point[c] = point[original];
+    }
+  }
+  soup.triangles.reserve(corners.size() / 3);
+  for (std::size_t c = 0; c + 2 < corners.size(); c += 3)
+    soup.triangles.push_back({point[c], point[c + 1], point[c + 2]});
+  return soup;
+}
+
+std::vector<Vec3> read_binary(const Source& source) {
+  if (source.bytes.size() < preamble_bytes)
+    source.refuse(
+        "has " + std::to_string(source.bytes.size()) +
+            " bytes and does not begin with 'solid': neither a binary STL (at least 84 bytes) nor a text one",
+        "check its format and extension, or export the surface again");
+  const std::uint64_t facets = announced_facets(source), expected = preamble_bytes + facet_bytes * facets;
+  if (source.bytes.size() != expected)
+    source.refuse("announces " + std::to_string(facets) + " facets, which need " + std::to_string(expected) +
+                      " bytes, but has " + std::to_string(source.bytes.size()),
+                  "it is no STL file, is damaged or was cut off: export or copy it again");
+  SoupBuilder limits(source);
+  limits.expect(0, facets, source.bytes.size(), 0, facet_bytes);
+  ByteCursor bytes(source.bytes, preamble_bytes, ByteOrder::little);
+  std::vector<Vec3> corners;
+  corners.reserve(3 * facets);
+  const auto read_vector = [&] {
+    const float x = bytes.read<float>(), y = bytes.read<float>(), z = bytes.read<float>();
+    return Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+  };
+  for (std::uint64_t f = 0; f < facets; ++f) {
+    read_vector();  // the normal, which the corners give better
+    for (int k = 0; k < 3; ++k) {
+      corners.push_back(read_vector());
+      if (!corners.back().allFinite())
+        source.refuse("facet " + std::to_string(f) + ": a coordinate is not a finite number",
+                      "remove that facet in a mesh editor or export the surface again");
+    }
+    bytes.read<std::uint16_t>();  // attribute bytes
+  }
+  return corners;
+}
+
+class TextStl {
+ public:
+  TextStl(const Source& source, SpaceTag& space) : source_(source), lines_(source.bytes), space_(space) {}
+
+  std::vector<Vec3> read() {
+    while (lines_.next_filled()) read_solid();
+    return std::move(corners_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& found) const {
+    source_.refuse(lines_.place() + ": " + found, remedy_export_again);
+  }
+  // The words of the next line, which must be there.
+  TokenCursor next_words(const char* expected) {
+    if (!lines_.next_filled()) refuse(std::string("the file ends where '") + expected + "' should follow");
+    return TokenCursor(lines_.line());
+  }
+  void expect(TokenCursor& words, std::string_view word) {
+    if (lower_case(words.next()) != word)
+      refuse("expected '" + std::string(word) + "', found " + in_quotes(lines_.line()));
+  }
+  void expect_end(TokenCursor& words) {
+    if (!words.rest().empty()) refuse("unexpected " + in_quotes(words.rest()));
+  }
+  void expect_line(std::string_view first, std::string_view second = {}) {
+    TokenCursor words = next_words(first.data());
+    expect(words, first);
+    if (!second.empty()) expect(words, second);
+    expect_end(words);
+  }
+
+  void read_solid() {
+    TokenCursor title(lines_.line());
+    expect(title, "solid");
+    space_.see(source_, title.rest());
+    for (;;) {
+      TokenCursor words = next_words("endsolid");
+      TokenCursor look = words;
+      if (lower_case(look.next()) == "endsolid") return;
+      read_facet(words);
+    }
+  }
+
+  void read_facet(TokenCursor words) {
+    expect(words, "facet");
+    expect(words, "normal");
+    for (int k = 0; k < 3; ++k)
+      if (words.next().empty()) refuse("a normal with fewer than three numbers");
+    expect_end(words);
+    expect_line("outer", "loop");
+    for (int k = 0; k < 3; ++k) read_corner();
+    TokenCursor end = next_words("endloop");
+    const std::string keyword = lower_case(end.next());
+    if (keyword == "vertex")
+      source_.refuse(lines_.place() + ": a facet with more than three corners", remedy_triangulate);
+    if (keyword != "endloop") refuse("expected 'endloop', found " + in_quotes(lines_.line()));
+    expect_end(end);
+    expect_line("endfacet");
+  }
+
+  void read_corner() {
+    TokenCursor words = next_words("vertex");
+    expect(words, "vertex");
+    Vec3 corner;
+    for (int k = 0; k < 3; ++k) {
+      const auto value = to_number(words.next());
+      if (!value) refuse("expected three numbers, found " + in_quotes(lines_.line()));
+      corner[k] = *value;
+    }
+    expect_end(words);
+    if (!corner.allFinite()) refuse("a coordinate is not a finite number");
+    corners_.push_back(corner);
+  }
+
+  const Source& source_;
+  LineCursor lines_;
+  SpaceTag& space_;
+  std::vector<Vec3> corners_;
+};
+
+}  // namespace
+
+MeshFile parse_stl(const Source& source) {
+  SpaceTag space;
+  std::vector<Vec3> corners;
+  if (is_binary(source)) {
+    corners = read_binary(source);
+    space.see(source, source.bytes.substr(0, header_bytes));
+  } else {
+    corners = TextStl(source, space).read();
+  }
+  if (corners.empty()) source.refuse("holds no triangles", "export the surface, not an empty scene");
+  return {welded(corners), space.value()};
+}
+
+}  // namespace foramen::io_detail

@@ -1,0 +1,324 @@
+// Legacy VTK PolyData by our own reader: VTK 9.1 crashes on a file that ends within its cells, and takes what
+// memory held before for points that are missing.
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/mesh_formats.hpp"
+
+namespace foramen::io_detail {
+namespace {
+
+constexpr const char* remedy_damaged =
+    "the file is damaged, cut off or no VTK surface: export it again, best as PLY";
+
+enum class Kind { integer, real };
+struct NumberType {
+  std::string_view name;
+  Kind kind;
+  std::size_t bytes;
+  bool is_signed;
+};
+
+// vtkIdType stands for 32 bits in such files, whatever VTK was built with.
+constexpr std::array<NumberType, 13> number_types{{{"float", Kind::real, 4, true},
+                                                   {"double", Kind::real, 8, true},
+                                                   {"char", Kind::integer, 1, true},
+                                                   {"unsigned_char", Kind::integer, 1, false},
+                                                   {"short", Kind::integer, 2, true},
+                                                   {"unsigned_short", Kind::integer, 2, false},
+                                                   {"int", Kind::integer, 4, true},
+                                                   {"unsigned_int", Kind::integer, 4, false},
+                                                   {"long", Kind::integer, 8, true},
+                                                   {"unsigned_long", Kind::integer, 8, false},
+                                                   {"vtktypeint64", Kind::integer, 8, true},
+                                                   {"vtktypeuint64", Kind::integer, 8, false},
+                                                   {"vtkidtype", Kind::integer, 4, true}}};
+constexpr NumberType plain_int = number_types[6];
+
+class LegacyVtk {
+ public:
+  explicit LegacyVtk(const Source& source) : source_(source), soup_(source) {}
+
+  MeshFile parse() {
+    parse_header();
+    while (next_line()) {
+      TokenCursor words(line_);
+      const std::string keyword = lower_case(words.next());
+      if (keyword == "point_data" || keyword == "cell_data") break;  // values on the surface are not read
+      parse_section(keyword, words);
+    }
+    for (std::size_t f = 0; f + 1 < offsets_.size(); ++f) add_polygon(f);
+    return {soup_.take(), space_.value()};
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& found, const char* remedy = remedy_damaged) const {
+    source_.refuse("line " + std::to_string(line_number_) + ": " + found, remedy);
+  }
+  std::size_t remaining() const { return source_.bytes.size() - offset_; }
+
+  // In binary files lines are counted between the data.
+  bool next_line() {
+    while (offset_ < source_.bytes.size()) {
+      const auto end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
+      line_ = source_.bytes.substr(offset_, end - offset_);
+      offset_ = std::min(end + 1, source_.bytes.size());
+      ++line_number_;
+      if (!TokenCursor(line_).rest().empty()) return true;
+    }
+    return false;
+  }
+  void need_line(const char* what) {
+    if (!next_line()) source_.refuse(std::string("the file ends before ") + what, remedy_damaged);
+  }
+
+  void parse_header() {
+    constexpr std::string_view magic = "# vtk DataFile Version";
+    if (!next_line() || !line_.starts_with(magic))
+      source_.refuse("does not begin with '# vtk DataFile Version'",
+                     "it is no VTK file: check its format and extension");
+    const auto version = to_number(TokenCursor(line_.substr(magic.size())).rest());
+    if (!version) refuse("unknown version in " + in_quotes(line_));
+    constexpr double first_with_offsets = 5;
+    has_offsets_ = *version >= first_with_offsets;
+    const auto title_end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());  // may be blank
+    space_.see(source_, source_.bytes.substr(offset_, title_end - offset_));
+    offset_ = std::min(title_end + 1, source_.bytes.size());
+    ++line_number_;
+    need_line("ASCII or BINARY");
+    const std::string encoding = lower_case(TokenCursor(line_).rest());
+    if (encoding != "ascii" && encoding != "binary")
+      refuse("expected ASCII or BINARY, found " + in_quotes(line_));
+    binary_ = encoding == "binary";
+    need_line("DATASET");
+    TokenCursor words(line_);
+    if (lower_case(words.next()) != "dataset" || lower_case(words.next()) != "polydata")
+      refuse("expected 'DATASET POLYDATA', found " + in_quotes(line_),
+             "foramen reads surfaces, no images or grids: export the surface");
+  }
+
+  void parse_section(const std::string& keyword, TokenCursor words) {
+    if (keyword == "points")
+      parse_points(words);
+    else if (keyword == "polygons")
+      parse_polygons(words);
+    else if (keyword == "field")
+      skip_field(words);
+    else if (keyword == "metadata")
+      skip_metadata();
+    else if (keyword == "triangle_strips")
+      refuse("triangle strips", remedy_triangulate);
+    else if (keyword == "vertices" || keyword == "lines")
+      refuse("loose points or lines beside the faces", "remove them, or export the surface alone");
+    else
+      refuse("unknown section " + in_quotes(line_));
+  }
+
+  std::uint64_t parse_count(std::string_view word) const {
+    const auto count = to_integer(word);
+    if (!count || *count < 0) refuse("expected a count, found " + in_quotes(word));
+    return static_cast<std::uint64_t>(*count);
+  }
+  NumberType parse_type(std::string_view word) const {
+    const std::string lower = lower_case(word);
+    for (const NumberType& type : number_types)
+      if (type.name == lower) return type;
+    refuse("numbers of type " + in_quotes(word) + " are not read", remedy_other_format);
+  }
+  // Before any memory is taken: is there room for so many values? A text needs a digit and a blank each.
+  void check_room(std::uint64_t count, const NumberType& type, const std::string& what) const {
+    const std::uint64_t each = binary_ ? type.bytes : 2, room = binary_ ? remaining() : remaining() + 1;
+    if (count > room / each)
+      refuse(what + " needs " + std::to_string(count) + " numbers, more than the " +
+             std::to_string(remaining()) + " bytes that follow can hold");
+  }
+
+  // The next value; room was checked, but a text may still run out.
+  std::string_view next_token(const char* what) {
+    constexpr std::string_view blanks = " \t\v\f\r\n";
+    std::size_t begin = offset_;
+    for (; begin < source_.bytes.size() && blanks.find(source_.bytes[begin]) != std::string_view::npos;
+         ++begin)
+      if (source_.bytes[begin] == '\n') ++line_number_;
+    const std::size_t end = std::min(source_.bytes.find_first_of(blanks, begin), source_.bytes.size());
+    offset_ = end;
+    if (begin == end) source_.refuse(std::string("the file ends within ") + what, remedy_damaged);
+    return source_.bytes.substr(begin, end - begin);
+  }
+  std::int64_t next_integer(const NumberType& type, const char* what) {
+    if (binary_) return binary_integer(type);
+    const std::string_view token = next_token(what);
+    const auto value = to_integer(token);
+    if (!value) refuse("expected an integer in " + std::string(what) + ", found " + in_quotes(token));
+    return *value;
+  }
+  double next_number(const NumberType& type, const char* what) {
+    if (binary_) {
+      if (type.kind == Kind::integer) return static_cast<double>(binary_integer(type));
+      return type.bytes == 4 ? static_cast<double>(next_bytes<float>()) : next_bytes<double>();
+    }
+    const std::string_view token = next_token(what);
+    const auto value = to_number(token);
+    if (!value) refuse("expected a number in " + std::string(what) + ", found " + in_quotes(token));
+    return *value;
+  }
+  template <class T>
+  T next_bytes() {
+    ByteCursor bytes(source_.bytes, offset_, ByteOrder::big);
+    offset_ += sizeof(T);
+    return bytes.read<T>();
+  }
+  std::int64_t binary_integer(const NumberType& type) {
+    switch (type.bytes) {
+      case 1:
+        return type.is_signed ? next_bytes<std::int8_t>() : next_bytes<std::uint8_t>();
+      case 2:
+        return type.is_signed ? next_bytes<std::int16_t>() : next_bytes<std::uint16_t>();
+      case 4:
+        return type.is_signed ? next_bytes<std::int32_t>()
+                              : static_cast<std::int64_t>(next_bytes<std::uint32_t>());
+      default:
+        return next_bytes<std::int64_t>();
+    }
+  }
+  // A text's data begin on the line after their heading and end somewhere in a line: what follows them there
+  // must be nothing.
+  void begin_data(std::uint64_t count) {
+    if (!binary_ && count > 0) ++line_number_;
+  }
+  void end_data(std::uint64_t count) {
+    if (binary_ || count == 0) return;
+    const auto end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
+    const std::string_view rest = TokenCursor(source_.bytes.substr(offset_, end - offset_)).rest();
+    if (!rest.empty()) refuse("more numbers than announced, from " + in_quotes(rest));
+    offset_ = std::min(end + 1, source_.bytes.size());
+  }
+  void expect_line_end(TokenCursor words) const {
+    if (!words.rest().empty()) refuse("unexpected " + in_quotes(words.rest()));
+  }
+
+  void parse_points(TokenCursor words) {
+    if (soup_.points() > 0) refuse("a second POINTS section");
+    const std::uint64_t count = parse_count(words.next());
+    const NumberType type = parse_type(words.next());
+    expect_line_end(words);
+    check_room(count, number_types[2],
+               "POINTS");  // at least a byte each, so that three times as many is no overflow
+    check_room(3 * count, type, "POINTS");
+    soup_.expect(count, 0, remaining(), 0, 0);
+    begin_data(count);
+    for (std::uint64_t v = 0; v < count; ++v) {
+      Vec3 point;
+      for (int k = 0; k < 3; ++k) point[k] = next_number(type, "POINTS");
+      soup_.add_point(point, [&] { return "vertex " + std::to_string(v); });
+    }
+    end_data(count);
+  }
+
+  void parse_polygons(TokenCursor words) {
+    if (!offsets_.empty()) refuse("a second POLYGONS section");
+    const std::uint64_t count = parse_count(words.next()), size = parse_count(words.next());
+    expect_line_end(words);
+    if (has_offsets_) {
+      offsets_ = parse_indices("OFFSETS", count);
+      corners_ = parse_indices("CONNECTIVITY", size);
+    } else {
+      parse_counted_polygons(count, size);
+    }
+  }
+
+  // Before version 5: each polygon's number of corners, then its corners.
+  void parse_counted_polygons(std::uint64_t count, std::uint64_t size) {
+    check_room(size, plain_int, "POLYGONS");
+    if (count > size)
+      refuse("announces " + std::to_string(count) + " polygons of " + std::to_string(size) + " numbers");
+    begin_data(size);
+    offsets_.push_back(0);
+    for (std::uint64_t f = 0, used = 0; f < count; ++f) {
+      const std::int64_t length = used < size ? next_integer(plain_int, "POLYGONS") : -1;
+      if (length < 0 || static_cast<std::uint64_t>(length) >= size - used)
+        refuse("face " + std::to_string(f) + " of POLYGONS does not fit its announced size");
+      for (std::int64_t k = 0; k < length; ++k) corners_.push_back(next_integer(plain_int, "POLYGONS"));
+      used += static_cast<std::uint64_t>(length) + 1;
+      offsets_.push_back(static_cast<std::int64_t>(corners_.size()));
+      if (f + 1 == count && used != size) refuse("POLYGONS has other than its announced size");
+    }
+    end_data(size);
+  }
+
+  std::vector<std::int64_t> parse_indices(const char* keyword, std::uint64_t count) {
+    need_line(keyword);
+    TokenCursor words(line_);
+    if (lower_case(words.next()) != lower_case(keyword))
+      refuse(std::string("expected ") + keyword + ", found " + in_quotes(line_));
+    const NumberType type = parse_type(words.next());
+    expect_line_end(words);
+    if (type.kind != Kind::integer) refuse(std::string(keyword) + " must be integers");
+    check_room(count, type, keyword);
+    begin_data(count);
+    std::vector<std::int64_t> values;
+    values.reserve(count);
+    for (std::uint64_t i = 0; i < count; ++i) values.push_back(next_integer(type, keyword));
+    end_data(count);
+    return values;
+  }
+
+  void add_polygon(std::size_t f) {
+    const auto place = [&] { return "face " + std::to_string(f); };
+    const std::int64_t begin = offsets_[f], end = offsets_[f + 1];
+    if (begin < 0 || end < begin || end > std::ssize(corners_))
+      source_.refuse(place() + ": its offsets " + std::to_string(begin) + " and " + std::to_string(end) +
+                         " are out of order or range",
+                     remedy_damaged);
+    if (end - begin != 3) refuse_polygon(source_, place(), static_cast<std::uint64_t>(end - begin));
+    const auto at = static_cast<std::size_t>(begin);
+    soup_.add_triangle({corners_[at], corners_[at + 1], corners_[at + 2]}, soup_.points(), place);
+  }
+
+  void skip_field(TokenCursor words) {
+    words.next();  // its name
+    const std::uint64_t arrays = parse_count(words.next());
+    for (std::uint64_t a = 0; a < arrays; ++a) {
+      need_line("an array of FIELD");
+      TokenCursor array(line_);
+      array.next();
+      const std::uint64_t components = parse_count(array.next()), tuples = parse_count(array.next());
+      const NumberType type = parse_type(array.next());
+      check_room(components, number_types[2], "FIELD");
+      if (components > 0) check_room(tuples, number_types[2], "FIELD");
+      check_room(components * tuples, type, "FIELD");
+      begin_data(components * tuples);
+      for (std::uint64_t i = 0; i < components * tuples; ++i) next_number(type, "FIELD");
+      end_data(components * tuples);
+    }
+  }
+
+  // Ends with a blank line.
+  void skip_metadata() {
+    while (offset_ < source_.bytes.size()) {
+      const auto end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
+      const bool blank = TokenCursor(source_.bytes.substr(offset_, end - offset_)).rest().empty();
+      offset_ = std::min(end + 1, source_.bytes.size());
+      ++line_number_;
+      if (blank) return;
+    }
+  }
+
+  const Source& source_;
+  SoupBuilder soup_;
+  SpaceTag space_;
+  bool binary_ = false, has_offsets_ = false;
+  std::size_t offset_ = 0, line_number_ = 0;
+  std::string_view line_;
+  std::vector<std::int64_t> offsets_,
+      corners_;  // polygon f: corners_[offsets_[f]] .. corners_[offsets_[f + 1] - 1]
+};
+
+}  // namespace
+
+MeshFile parse_vtk(const Source& source) { return LegacyVtk(source).parse(); }
+
+}  // namespace foramen::io_detail

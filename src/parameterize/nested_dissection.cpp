@@ -1,0 +1,130 @@
+#include "nested_dissection.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+namespace foramen {
+namespace {
+
+/// Parts up to this many vertices are not split: a dense block of twice this size is faster than its pieces.
+constexpr std::size_t leaf_vertices = 16;
+
+// Neighbours of every vertex, one after the other.
+struct Graph {
+  std::vector<int> begin, neighbour;
+
+  explicit Graph(const Mesh& mesh) {
+    begin.assign(static_cast<std::size_t>(mesh.vertex_count()) + 1, 0);
+    for (EdgeId e : mesh.edges()) {
+      const HalfedgeId h = mesh.halfedge(e);
+      ++begin[static_cast<std::size_t>(mesh.from(h).index) + 1];
+      ++begin[static_cast<std::size_t>(mesh.to(h).index) + 1];
+    }
+    for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    neighbour.resize(static_cast<std::size_t>(begin.back()));
+    std::vector<int> next(begin.begin(), begin.end() - 1);
+    for (EdgeId e : mesh.edges()) {
+      const HalfedgeId h = mesh.halfedge(e);
+      const int a = mesh.from(h).index, b = mesh.to(h).index;
+      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(a)]++)] = b;
+      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(b)]++)] = a;
+    }
+  }
+};
+
+class Dissection {
+ public:
+  Dissection(const Mesh& mesh, const Eigen::MatrixXd& coordinates)
+      : graph_(mesh),
+        coordinates_(coordinates),
+        side_(static_cast<std::size_t>(mesh.vertex_count()), outside) {}
+
+  DissectionTree run() {
+    std::vector<int> all(side_.size());
+    for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<int>(v);
+    add(std::move(all));
+    return std::move(tree_);
+  }
+
+ private:
+  enum Side : std::uint8_t { outside, low, high };
+
+  // Adds the part and everything below it; the index of its node.
+  int add(std::vector<int> part) {
+    DissectionNode node;
+    if (part.size() <= leaf_vertices) {
+      std::sort(part.begin(), part.end());
+      node.columns = std::move(part);
+    } else {
+      auto [separator, first, second] = split(part);
+      part = {};
+      if (!first.empty()) node.children[0] = add(std::move(first));
+      if (!second.empty()) node.children[1] = add(std::move(second));
+      node.columns = std::move(separator);
+    }
+    tree_.push_back(std::move(node));
+    return static_cast<int>(tree_.size()) - 1;
+  }
+
+  struct Split {
+    std::vector<int> separator, first, second;
+  };
+
+  Split split(std::vector<int>& part) {
+    Split best;
+    for (int axis = 0; axis < coordinates_.cols(); ++axis) {
+      const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
+      std::nth_element(part.begin(), middle, part.end(), [&](int a, int b) {
+        return std::make_pair(coordinates_(a, axis), a) < std::make_pair(coordinates_(b, axis), b);
+      });
+      for (auto it = part.begin(); it != part.end(); ++it)
+        side_[static_cast<std::size_t>(*it)] = it < middle ? low : high;
+      for (const Side taken : {low, high}) {
+        const auto size = static_cast<std::size_t>(
+            std::count_if(part.begin(), part.end(), [&](int v) { return is_border(v, taken); }));
+        if (best.separator.empty() || size < best.separator.size()) best = divided(part, taken);
+      }
+    }
+    for (int v : part) side_[static_cast<std::size_t>(v)] = outside;
+    return best;
+  }
+
+  // On this side, with a neighbour on the other.
+  bool is_border(int v, Side taken) const {
+    if (side_[static_cast<std::size_t>(v)] != taken) return false;
+    const auto other = taken == low ? high : low;
+    for (int k = graph_.begin[static_cast<std::size_t>(v)]; k < graph_.begin[static_cast<std::size_t>(v) + 1];
+         ++k)
+      if (side_[static_cast<std::size_t>(graph_.neighbour[static_cast<std::size_t>(k)])] == other)
+        return true;
+    return false;
+  }
+
+  Split divided(const std::vector<int>& part, Side taken) const {
+    Split out;
+    for (int v : part) {
+      if (is_border(v, taken))
+        out.separator.push_back(v);
+      else
+        (side_[static_cast<std::size_t>(v)] == low ? out.first : out.second).push_back(v);
+    }
+    // By index, not in the order nth_element happened to leave them.
+    std::sort(out.separator.begin(), out.separator.end());
+    return out;
+  }
+
+  Graph graph_;
+  const Eigen::MatrixXd& coordinates_;
+  std::vector<Side> side_;
+  DissectionTree tree_;
+};
+
+}  // namespace
+
+DissectionTree dissect(const Mesh& mesh, const Eigen::MatrixXd& coordinates) {
+  return Dissection(mesh, coordinates).run();
+}
+
+}  // namespace foramen

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Projected Newton on the map energy.
+
+#include "foramen/core/run_context.hpp"
+#include "map_energy.hpp"
+
+namespace foramen {
+
+/// How a minimisation ended, whichever the method.
+struct Minimisation {
+  MapState state;
+  OptimiseStatus status = OptimiseStatus::iteration_limit;
+  std::vector<double> energies;  ///< first the initial one
+};
+
+Minimisation minimise_by_newton(const MapEnergy& energy, MapState start, const RunContext& ctx,
+                                const OptimiseMapOptions& options);
+
+/// Whether the energy is as low as the caller asked for.
+inline bool low_enough(double energy, const OptimiseMapOptions& options) {
+  return options.stop_at_energy && energy <= *options.stop_at_energy;
+}
+
+}  // namespace foramen

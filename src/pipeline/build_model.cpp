@@ -1,0 +1,167 @@
+#include "foramen/pipeline/build_model.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/core/parallel.hpp"
+#include "pipeline/place_landmarks.hpp"
+
+namespace foramen {
+namespace {
+
+constexpr int fewest_shapes = 3;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Runs one stage and notes how long it took.
+template <class Stage>
+void timed(ModelBuild& build, const char* name, const Stage& stage) {
+  const Stopwatch watch;
+  stage();
+  build.stage_seconds.emplace_back(name, watch.seconds());
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void require_enough(const std::vector<LeftOut>& left_out, std::size_t usable) {
+  if (usable >= fewest_shapes) return;
+  std::string message = "a model needs at least " + std::to_string(fewest_shapes) + " usable shapes, found " +
+                        std::to_string(usable);
+  for (const LeftOut& shape : left_out) message += "\n  left out " + shape.file_name + ": " + shape.reason;
+  throw InvalidInput(message);
+}
+
+int find_reference(const std::vector<InputShape>& shapes, const std::string& name) {
+  if (name == "auto") return choose_reference(shapes);
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (shapes[i].stem == name || shapes[i].file_name == name) return static_cast<int>(i);
+  throw InvalidInput("--reference " + name + ": no usable input has this name");
+}
+
+RegisteredShape reference_itself(const Reference& reference) {
+  RegisteredShape self;
+  self.alignment.converged = true;
+  self.shape_map = reference.shape_map;
+  self.homology = Eigen::Matrix2i::Identity();
+  self.seifert = reference.loops.seifert;
+  self.agreement = Vec2::Ones();
+  return self;
+}
+
+RegisteredShape only_aligned(const Mesh& shape, const Reference& reference, const RunContext& ctx) {
+  RegisteredShape result;
+  result.alignment = align(shape, reference.mesh(), ctx);
+  return result;
+}
+
+// Registers every shape; those that fail are moved to the ones left out.
+void register_all(ModelBuild& build, std::vector<InputShape> inputs, int reference, const BuildOptions& options,
+                  const RunContext& ctx) {
+  std::vector<ShapeOutcome> outcomes(inputs.size());
+  std::vector<std::string> failures(inputs.size());
+  // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
+  const RunContext single = ctx.with_threads(1);
+  std::atomic<int> done{0};
+  parallel_for(static_cast<int>(inputs.size()), ctx, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    ShapeOutcome& outcome = outcomes[k];
+    outcome.input = std::move(inputs[k]);
+    const Stopwatch watch;
+    try {
+      if (i == reference)
+        outcome.registration = reference_itself(build.reference_map);
+      else if (options.method == Method::icp)
+        outcome.registration = only_aligned(outcome.input.mesh, build.reference_map, single);
+      else
+        outcome.registration = register_shape(outcome.input.mesh, build.reference_map, single, options.registration);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      failures[k] = e.what();
+    }
+    outcome.seconds = watch.seconds();
+    ctx.step("register", static_cast<double>(++done) / static_cast<double>(outcomes.size()));
+  });
+  for (std::size_t k = 0; k < outcomes.size(); ++k) {
+    InputShape& input = outcomes[k].input;
+    if (!failures[k].empty()) {
+      build.left_out.push_back({input.stem, input.file_name, input.sha256, failures[k]});
+      continue;
+    }
+    if (static_cast<int>(k) == reference) build.reference = static_cast<int>(build.shapes.size());
+    build.shapes.push_back(std::move(outcomes[k]));
+  }
+  require_enough(build.left_out, build.shapes.size());
+}
+
+std::vector<std::vector<Vec3>> corresponding_shapes(const ModelBuild& build) {
+  std::vector<std::vector<Vec3>> shapes;
+  for (const ShapeOutcome& shape : build.shapes) shapes.push_back(shape.landmarks);
+  return shapes;
+}
+
+}  // namespace
+
+int choose_reference(const std::vector<InputShape>& shapes) {
+  std::vector<double> areas, volumes;
+  for (const InputShape& shape : shapes) {
+    areas.push_back(std::log(total_area(shape.mesh)));
+    volumes.push_back(std::log(signed_volume(shape.mesh)));
+  }
+  const double area = median(areas), volume = median(volumes);
+  int best = 0;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const double deviation = std::abs(areas[i] - area) + std::abs(volumes[i] - volume);
+    if (deviation < smallest) {
+      smallest = deviation;
+      best = static_cast<int>(i);
+    }
+  }
+  return best;
+}
+
+ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunContext& ctx) {
+  ModelBuild build;
+  build.left_out = std::move(cohort.left_out);
+  require_enough(build.left_out, cohort.shapes.size());
+  const int reference = find_reference(cohort.shapes, options.reference);
+
+  timed(build, "reference", [&] {
+    ctx.step("reference", 0);
+    const Mesh& mesh = cohort.shapes[static_cast<std::size_t>(reference)].mesh;
+    build.reference_map = map_reference(mesh, ctx, options.registration);
+  });
+  timed(build, "register", [&] { register_all(build, std::move(cohort.shapes), reference, options, ctx); });
+  timed(build, "resample", [&] {
+    ctx.step("resample", 0);
+    if (options.method == Method::torus)
+      place_landmarks(build, options, ctx);
+    else
+      place_landmarks_by_icp(build, options, ctx);
+  });
+  timed(build, "model", [&] {
+    ctx.step("model", 0);
+    build.procrustes = procrustes(corresponding_shapes(build), options.scale);
+    build.model = build_shape_model(build.procrustes.aligned, build.landmarks.triangles);
+  });
+  return build;
+}
+
+}  // namespace foramen

@@ -1,0 +1,254 @@
+#include "foramen/pipeline/metrics_file.hpp"
+
+#include <cstdint>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "foramen/core/error.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "foramen/io/table_file.hpp"
+
+namespace foramen {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr int format_version = 1;
+
+ordered_json to_json(const Estimate& e) { return {{"mean", e.mean}, {"standard_error", e.standard_error}}; }
+
+Estimate estimate_from(const ordered_json& j) { return {j.at("mean"), j.at("standard_error")}; }
+
+ordered_json to_json(const std::vector<ErrorsAtModes>& by_modes) {
+  ordered_json out = ordered_json::array();
+  for (const ErrorsAtModes& e : by_modes)
+    out.push_back({{"modes", e.modes},
+                   {"hausdorff_mm", to_json(e.hausdorff)},
+                   {"mean_surface_mm", to_json(e.mean_surface)},
+                   {"landmark_rms_mm", to_json(e.landmark_rms)}});
+  return out;
+}
+
+std::vector<ErrorsAtModes> errors_from(const ordered_json& j) {
+  std::vector<ErrorsAtModes> out;
+  for (const ordered_json& e : j)
+    out.push_back({e.at("modes"),
+                   {},
+                   estimate_from(e.at("hausdorff_mm")),
+                   estimate_from(e.at("mean_surface_mm")),
+                   estimate_from(e.at("landmark_rms_mm"))});
+  return out;
+}
+
+ordered_json to_json(const ErrorSummary& e) { return {{"mean", e.mean}, {"p95", e.p95}, {"max", e.max}}; }
+
+ErrorSummary summary_from(const ordered_json& j) { return {j.at("mean"), j.at("p95"), j.at("max")}; }
+
+ordered_json options_json(const EvaluationOptions& o) {
+  return {{"scale", o.scale == ScaleMode::keep ? "keep" : "remove"},
+          {"draws", o.draws},
+          {"surface_samples", o.samples},
+          {"specificity_surface_samples", o.specificity_samples},
+          {"seed", o.seed}};
+}
+
+EvaluationOptions options_from(const ordered_json& j) {
+  return {.scale = j.at("scale") == "keep" ? ScaleMode::keep : ScaleMode::remove,
+          .draws = j.at("draws"),
+          .samples = j.at("surface_samples"),
+          .specificity_samples = j.at("specificity_surface_samples"),
+          .seed = j.at("seed")};
+}
+
+ordered_json compactness_json(const Evaluation& e) {
+  ordered_json by_modes = ordered_json::array();
+  for (const CompactnessAtModes& c : e.compactness)
+    by_modes.push_back({{"modes", c.modes}, {"variance_mm2", c.variance_per_landmark}, {"fraction", c.fraction}});
+  return {{"definition", "sum of the first M variances per landmark (divisor n - 1), and its share of the total"},
+          {"unit", "mm^2 per landmark"},
+          {"by_modes", by_modes}};
+}
+
+ordered_json generalization_json(const Generalization& g, const char* left_out) {
+  return {{"definition", std::string("leave one ") + left_out +
+                             " out: alignment and PCA redone without it, its reconstruction on M modes against the "
+                             "original input surface; mean over shapes, standard error s / sqrt(n)"},
+          {"unit", "mm"},
+          {"groups", g.groups},
+          {"by_modes", to_json(g.by_modes)}};
+}
+
+ordered_json specificity_json(const Evaluation& e) {
+  return {{"definition",
+           "random shapes b_m ~ N(0, variance_m), m <= M; distance to the closest training input surface; mean over random shapes"},
+          {"unit", "mm"},
+          {"by_modes", to_json(e.specificity.by_modes)}};
+}
+
+ordered_json ensemble_json(const Evaluation& e) {
+  ordered_json by_modes = ordered_json::array();
+  for (const EnsembleAtModes& m : e.ensemble)
+    by_modes.push_back({{"modes", m.modes},
+                        {"generalization_mm", to_json(m.generalization)},
+                        {"specificity_mm", to_json(m.specificity)}});
+  return {{"definition",
+           "the paper's ensemble form on the same random shapes: generalization, in-sample: mean over training shapes of the smallest "
+           "Hausdorff distance to a random shape; specificity: mean over random shapes of that to a training shape"},
+          {"unit", "mm"},
+          {"by_modes", by_modes}};
+}
+
+ordered_json representation_json(const Evaluation& e) {
+  const Representation& r = e.representation;
+  ordered_json shapes = ordered_json::array();
+  for (std::size_t i = 0; i < r.shapes.size(); ++i) {
+    const ShapeRepresentation& s = r.shapes[i];
+    shapes.push_back({{"name", e.names[i]},
+                      {"mean_mm", s.distance.mean},
+                      {"p95_mm", s.distance.p95},
+                      {"hausdorff_mm", s.distance.hausdorff},
+                      {"plain_flips", s.plain_flips},
+                      {"confirmed_flips", s.confirmed_flips},
+                      {"degenerate", s.degenerate},
+                      {"opposing_mean", s.opposing_mean}});
+  }
+  return {{"definition", "surface distance of each corresponding mesh to its original input, and flipped triangles of it"},
+          {"unit", "mm; triangles"},
+          {"mean_mm", to_json(r.mean_surface)},
+          {"p95_mm", to_json(r.p95)},
+          {"hausdorff_mm", to_json(r.hausdorff)},
+          {"plain_flips", to_json(r.plain_flips)},
+          {"confirmed_flips", to_json(r.confirmed_flips)},
+          {"opposing_mean", to_json(r.opposing_mean)},
+          {"shapes", shapes}};
+}
+
+Representation representation_from(const ordered_json& j) {
+  Representation r;
+  for (const ordered_json& s : j.at("shapes"))
+    r.shapes.push_back({{s.at("mean_mm"), s.at("p95_mm"), s.at("hausdorff_mm")},
+                        s.at("plain_flips"),
+                        s.at("confirmed_flips"),
+                        s.at("degenerate"),
+                        s.at("opposing_mean")});
+  r.mean_surface = estimate_from(j.at("mean_mm"));
+  r.p95 = estimate_from(j.at("p95_mm"));
+  r.hausdorff = estimate_from(j.at("hausdorff_mm"));
+  r.plain_flips = estimate_from(j.at("plain_flips"));
+  r.confirmed_flips = estimate_from(j.at("confirmed_flips"));
+  r.opposing_mean = estimate_from(j.at("opposing_mean"));
+  return r;
+}
+
+ordered_json truth_json(const TruthError& t) {
+  return {{"definition",
+           "landmark i of shape A, carried to shape B by the true map, to landmark i of B; over landmarks and ordered pairs"},
+          {"unit", "mm"},
+          {"error", to_json(t.error)},
+          {"floor", to_json(t.floor)},
+          {"mean_from_shape", t.mean_from_shape}};
+}
+
+Evaluation evaluation_from(const ordered_json& j) {
+  Evaluation e;
+  e.options = options_from(j.at("options"));
+  e.names = j.at("names").get<std::vector<std::string>>();
+  e.subjects = j.at("subjects").get<std::vector<std::string>>();
+  e.landmarks = j.at("landmarks");
+  e.total_variance = j.at("total_variance_mm2");
+  for (const ordered_json& c : j.at("compactness").at("by_modes"))
+    e.compactness.push_back({c.at("modes"), c.at("variance_mm2"), c.at("fraction")});
+  const ordered_json& one = j.at("generalization");
+  e.leave_one_out = {LeaveOut::shape, one.at("groups"), errors_from(one.at("by_modes"))};
+  if (const ordered_json& subject = j.at("generalization_by_subject"); !subject.is_null())
+    e.leave_subject_out = Generalization{LeaveOut::subject, subject.at("groups"), errors_from(subject.at("by_modes"))};
+  e.specificity.by_modes = errors_from(j.at("specificity").at("by_modes"));
+  for (const ordered_json& m : j.at("ensemble").at("by_modes"))
+    e.ensemble.push_back(
+        {m.at("modes"), estimate_from(m.at("generalization_mm")), estimate_from(m.at("specificity_mm"))});
+  e.representation = representation_from(j.at("representation"));
+  if (const ordered_json& t = j.at("truth"); !t.is_null())
+    e.truth = TruthError{summary_from(t.at("error")), summary_from(t.at("floor")),
+                         t.at("mean_from_shape").get<std::vector<double>>()};
+  return e;
+}
+
+// Rows of metrics.csv.
+class MetricRows {
+ public:
+  void add(const std::string& item, const char* kind, int modes, const char* measure, double value, const char* unit) {
+    rows_.push_back({item, std::string(kind), static_cast<std::int64_t>(modes), std::string(measure), value, std::string(unit)});
+  }
+  void add(const std::vector<ErrorsAtModes>& by_modes, const std::vector<std::string>& items, const char* kind,
+           const std::string& measure) {
+    for (const ErrorsAtModes& e : by_modes)
+      for (std::size_t i = 0; i < e.items.size(); ++i) {
+        const std::string item = items.empty() ? std::to_string(i + 1) : items[i];
+        add(item, kind, e.modes, (measure + "_hausdorff").c_str(), e.items[i].hausdorff, "mm");
+        add(item, kind, e.modes, (measure + "_mean_surface").c_str(), e.items[i].mean_surface, "mm");
+        add(item, kind, e.modes, (measure + "_landmark_rms").c_str(), e.items[i].landmark_rms, "mm");
+      }
+  }
+  const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  std::vector<Row> rows_;
+};
+
+std::vector<Row> metric_rows(const Evaluation& e) {
+  MetricRows rows;
+  for (std::size_t i = 0; i < e.names.size(); ++i) {
+    const ShapeRepresentation& r = e.representation.shapes[i];
+    rows.add(e.names[i], "shape", 0, "representation_mean", r.distance.mean, "mm");
+    rows.add(e.names[i], "shape", 0, "representation_p95", r.distance.p95, "mm");
+    rows.add(e.names[i], "shape", 0, "representation_hausdorff", r.distance.hausdorff, "mm");
+    rows.add(e.names[i], "shape", 0, "flips_plain", r.plain_flips, "triangles");
+    rows.add(e.names[i], "shape", 0, "flips_confirmed", r.confirmed_flips, "triangles");
+    rows.add(e.names[i], "shape", 0, "opposing_mean", r.opposing_mean, "triangles");
+    if (e.truth) rows.add(e.names[i], "shape", 0, "truth_error_mean", e.truth->mean_from_shape[i], "mm");
+  }
+  rows.add(e.leave_one_out.by_modes, e.names, "shape", "generalization");
+  if (e.leave_subject_out) rows.add(e.leave_subject_out->by_modes, e.names, "shape", "generalization_by_subject");
+  rows.add(e.specificity.by_modes, {}, "draw", "specificity");
+  return rows.rows();
+}
+
+}  // namespace
+
+std::string metrics_json(const Evaluation& e) {
+  const ordered_json out = {
+      {"format", format_version},
+      {"names", e.names},
+      {"subjects", e.subjects},
+      {"landmarks", e.landmarks},
+      {"total_variance_mm2", e.total_variance},
+      {"options", options_json(e.options)},
+      {"representation", representation_json(e)},
+      {"compactness", compactness_json(e)},
+      {"generalization", generalization_json(e.leave_one_out, "shape")},
+      {"generalization_by_subject",
+       e.leave_subject_out ? generalization_json(*e.leave_subject_out, "subject") : ordered_json()},
+      {"specificity", specificity_json(e)},
+      {"ensemble", ensemble_json(e)},
+      {"truth", e.truth ? truth_json(*e.truth) : ordered_json()}};
+  return out.dump(2);
+}
+
+void write_metrics(const std::filesystem::path& folder, const Evaluation& evaluation) {
+  write_file(folder / "metrics.json", metrics_json(evaluation) + "\n");
+  write_csv(folder / "metrics.csv", {"item", "kind", "modes", "measure", "value", "unit"}, metric_rows(evaluation));
+}
+
+Evaluation read_metrics(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "metrics.json";
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw IoError(file.string() + ": cannot be read; `foramen build` and `foramen evaluate -o` write it");
+  try {
+    return evaluation_from(ordered_json::parse(in));
+  } catch (const nlohmann::json::exception& e) {
+    throw IoError(file.string() + ": is not a metrics file of this version (" + e.what() + ")");
+  }
+}
+
+}  // namespace foramen

@@ -1,0 +1,109 @@
+#include "foramen/pipeline/model_folder.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/io/statismo_file.hpp"
+#include "foramen/io/table_file.hpp"
+#include "foramen/pipeline/atlas_file.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "mode01_minus2sd": two digits for the mode, the number of standard deviations without trailing zeros.
+std::string mode_file(int mode, double sd) {
+  char text[64];
+  std::snprintf(text, sizeof text, "mode%02d_%s%gsd.ply", mode + 1, sd < 0 ? "minus" : "plus", std::abs(sd));
+  return text;
+}
+
+StatismoModel statismo_model(const ModelBuild& build, const std::string& command) {
+  StatismoModel file;
+  file.points = unflattened(build.model.mean());
+  file.triangles = build.model.triangles();
+  file.mean = build.model.mean();
+  file.basis = build.model.basis();
+  file.variance = build.model.variance();
+  file.scores = training_scores(build);
+  for (const ShapeOutcome& shape : build.shapes) file.shape_uris.push_back(shape.input.file_name);
+  file.build_time = build_time();
+  file.parameters = {{"command", command}};
+  return file;
+}
+
+void write_scores(const fs::path& path, const ModelBuild& build) {
+  std::vector<std::string> header{"shape"};
+  for (int m = 0; m < build.model.modes(); ++m) header.push_back("mode" + std::to_string(m + 1));
+  const Eigen::MatrixXd scores = training_scores(build);
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < build.shapes.size(); ++i) {
+    Row row{build.shapes[i].input.stem};
+    for (int m = 0; m < build.model.modes(); ++m) row.emplace_back(scores(m, static_cast<int>(i)));
+    rows.push_back(std::move(row));
+  }
+  write_csv(path, header, rows);
+}
+
+}  // namespace
+
+std::string build_time() {
+  const char* epoch = std::getenv("SOURCE_DATE_EPOCH");
+  const std::time_t seconds = epoch ? static_cast<std::time_t>(std::atoll(epoch)) : 0;
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+LoadedModel load_model(const fs::path& path) {
+  const fs::path file = fs::is_directory(path) ? path / "model.h5" : path;
+  if (!fs::exists(file)) throw IoError(file.string() + ": there is no such model; `foramen build` makes one");
+  StatismoModel read = read_statismo(file);
+  LoadedModel loaded;
+  loaded.scores = std::move(read.scores);
+  for (const std::string& uri : read.shape_uris) loaded.names.push_back(fs::path(uri).stem().string());
+  loaded.model = ShapeModel(std::move(read.mean), std::move(read.basis), std::move(read.variance), std::move(read.triangles));
+  const fs::path mean = file.parent_path() / "mean.ply";
+  if (fs::exists(mean)) loaded.space = read_mesh(mean).space.value_or(AnatomicalSpace::lps);
+  return loaded;
+}
+
+Eigen::MatrixXd training_scores(const ModelBuild& build) {
+  const ShapeModel& model = build.model;
+  Eigen::MatrixXd scores(model.modes(), static_cast<int>(build.shapes.size()));
+  for (int i = 0; i < scores.cols(); ++i)
+    scores.col(i) = model.scores(flattened(build.procrustes.aligned[static_cast<std::size_t>(i)]), model.modes())
+                        .cwiseQuotient(model.variance().cwiseSqrt());
+  return scores;
+}
+
+void write_modes(const fs::path& folder, const ShapeModel& model, double sd, AnatomicalSpace space) {
+  fs::create_directories(folder);
+  for (int m = 0; m < model.modes(); ++m)
+    for (double sign : {-1.0, 1.0})
+      write_ply(folder / mode_file(m, sign * sd), {unflattened(model.along_mode(m, sign * sd)), model.triangles()}, space);
+}
+
+void write_model_files(const fs::path& folder, const ModelBuild& build, const std::string& command, double millimetres) {
+  const AnatomicalSpace space = build.shapes[static_cast<std::size_t>(build.reference)].input.space;
+  fs::create_directories(folder / "corresponding");
+  for (const ShapeOutcome& shape : build.shapes) {
+    TriangleSoup soup{shape.landmarks, build.landmarks.triangles};
+    for (Vec3& p : soup.points) p /= millimetres;
+    write_ply(folder / "corresponding" / (shape.input.stem + ".ply"), soup, shape.input.space);
+  }
+  write_ply(folder / "mean.ply", {unflattened(build.model.mean()), build.landmarks.triangles}, space);
+  write_modes(folder / "modes", build.model, 2, space);
+  write_scores(folder / "scores.csv", build);
+  write_statismo(folder / "model.h5", statismo_model(build, command));
+  write_atlas(folder / "atlas.h5", atlas_of(build));
+}
+
+}  // namespace foramen

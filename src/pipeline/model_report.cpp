@@ -1,0 +1,105 @@
+#include "pipeline/model_report.hpp"
+
+#include <cstdio>
+#include <functional>
+
+namespace foramen {
+namespace {
+
+// One measure over the number of modes.
+struct CurvePoint {
+  int modes;
+  Estimate value;
+};
+struct Measure {
+  std::string title, y_label;
+  std::function<std::vector<CurvePoint>(const Evaluation&)> points;
+};
+
+std::vector<CurvePoint> of_errors(const std::vector<ErrorsAtModes>& errors, Estimate ErrorsAtModes::*which) {
+  std::vector<CurvePoint> out;
+  for (const ErrorsAtModes& e : errors) out.push_back({e.modes, e.*which});
+  return out;
+}
+
+const std::vector<Measure>& measures() {
+  static const std::vector<Measure> all{
+      {"Generalization, Hausdorff (leave one out)", "mm",
+       [](const Evaluation& e) { return of_errors(e.leave_one_out.by_modes, &ErrorsAtModes::hausdorff); }},
+      {"Specificity, Hausdorff", "mm",
+       [](const Evaluation& e) { return of_errors(e.specificity.by_modes, &ErrorsAtModes::hausdorff); }},
+      {"Generalization, mean surface (leave one out)", "mm",
+       [](const Evaluation& e) { return of_errors(e.leave_one_out.by_modes, &ErrorsAtModes::mean_surface); }},
+      {"Specificity, mean surface", "mm",
+       [](const Evaluation& e) { return of_errors(e.specificity.by_modes, &ErrorsAtModes::mean_surface); }},
+      {"Generalization, ensemble form (in-sample)", "mm",
+       [](const Evaluation& e) {
+         std::vector<CurvePoint> out;
+         for (const EnsembleAtModes& m : e.ensemble) out.push_back({m.modes, m.generalization});
+         return out;
+       }},
+      {"Compactness (share of the variance)", "",
+       [](const Evaluation& e) {
+         std::vector<CurvePoint> out;
+         for (const CompactnessAtModes& m : e.compactness) out.push_back({m.modes, {m.fraction, 0}});
+         return out;
+       }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::string fixed(double value, int digits) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string fixed(const Estimate& value, int digits) {
+  return fixed(value.mean, digits) + " ± " + fixed(value.standard_error, digits);
+}
+
+std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations) {
+  std::vector<Chart> charts;
+  for (const Measure& measure : measures()) {
+    Chart chart{measure.title, "number of modes", measure.y_label, {}};
+    for (const NamedEvaluation& named : evaluations) {
+      ChartSeries series{named.name, {}, {}, {}};
+      for (const CurvePoint& p : measure.points(*named.evaluation)) {
+        series.x.push_back(p.modes);
+        series.y.push_back(p.value.mean);
+        series.error.push_back(p.value.standard_error);
+      }
+      chart.series.push_back(std::move(series));
+    }
+    charts.push_back(std::move(chart));
+  }
+  return charts;
+}
+
+std::vector<ReportTable> model_tables(const std::vector<NamedEvaluation>& evaluations) {
+  std::vector<ReportTable> tables;
+  for (const Measure& measure : measures()) {
+    ReportTable table{measure.title, measure.y_label.empty() ? "" : "mean ± standard error, mm", {"modes"}, {}};
+    std::size_t longest = 0;
+    std::vector<std::vector<CurvePoint>> columns;
+    for (const NamedEvaluation& named : evaluations) {
+      table.header.push_back(named.name);
+      columns.push_back(measure.points(*named.evaluation));
+      longest = std::max(longest, columns.back().size());
+    }
+    for (std::size_t i = 0; i < longest; ++i) {
+      std::vector<std::string> row{""};
+      for (const auto& column : columns) {
+        if (i < column.size()) row[0] = std::to_string(column[i].modes);
+        row.push_back(i < column.size() ? fixed(column[i].value, 3) : "");
+      }
+      table.rows.push_back(std::move(row));
+    }
+    tables.push_back(std::move(table));
+  }
+  return tables;
+}
+
+}  // namespace foramen

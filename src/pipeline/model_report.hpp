@@ -1,0 +1,26 @@
+#pragma once
+
+#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/report/report_page.hpp"
+
+namespace foramen {
+
+/// A named evaluation, as a curve in a chart.
+struct NamedEvaluation {
+  std::string name;
+  const Evaluation* evaluation = nullptr;
+};
+
+/// Generalization and specificity (Hausdorff and mean surface), compactness, and the paper's ensemble form, against the number of
+/// modes, with standard errors: one curve per evaluation.
+std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations);
+
+/// The figures of those charts as tables.
+std::vector<ReportTable> model_tables(const std::vector<NamedEvaluation>& evaluations);
+
+/// A number in fixed point.
+std::string fixed(double value, int digits);
+/// mean +- standard error.
+std::string fixed(const Estimate& value, int digits);
+
+}  // namespace foramen

@@ -1,0 +1,151 @@
+#include "pipeline/place_landmarks.hpp"
+
+#include <memory>
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/core/parallel.hpp"
+#include "foramen/correspond/icp_baseline.hpp"
+#include "foramen/resample/lift_to_surface.hpp"
+#include "foramen/resample/refine_landmarks.hpp"
+#include "foramen/resample/torus_grid.hpp"
+#include "foramen/spatial/surface_distance.hpp"
+
+namespace foramen {
+namespace {
+
+// The search for a number of landmarks: from the first, growing until the error is reached.
+constexpr int first_landmarks = 500, most_landmarks = 30000;
+constexpr double landmark_growth = 1.4;
+constexpr int search_samples = 4000;
+
+// What lifting and measuring need of each shape, made once.
+struct LiftingShape {
+  std::unique_ptr<TorusLocator> locator;
+  std::unique_ptr<TriangleTree> tree;
+};
+
+std::vector<LiftingShape> lifting_shapes(const ModelBuild& build, const RunContext& ctx) {
+  std::vector<LiftingShape> shapes(build.shapes.size());
+  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
+    const ShapeOutcome& shape = build.shapes[static_cast<std::size_t>(i)];
+    auto& lifting = shapes[static_cast<std::size_t>(i)];
+    lifting.locator = std::make_unique<TorusLocator>(shape.input.mesh, shape.registration.shape_map.map);
+    lifting.tree = std::make_unique<TriangleTree>(shape.input.mesh);
+  });
+  return shapes;
+}
+
+std::vector<Vec3> lifted(const LiftingShape& shape, std::span<const Vec2> turns) {
+  std::vector<Vec3> points;
+  points.reserve(turns.size());
+  for (const Vec2& p : turns) points.push_back(position(shape.tree->mesh(), shape.locator->locate(p)));
+  return points;
+}
+
+std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& shapes, std::span<const Vec2> turns,
+                                             const RunContext& ctx) {
+  std::vector<std::vector<Vec3>> all(shapes.size());
+  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
+    all[static_cast<std::size_t>(i)] = lifted(shapes[static_cast<std::size_t>(i)], turns);
+  });
+  return all;
+}
+
+// A surface to put landmarks on: the dense mean, with its torus map and how densely it is to be sampled.
+struct DenseMean {
+  Mesh mesh;
+  TorusMap map;
+  VertexMap<double> density;
+};
+
+DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lattice, const BuildOptions& options,
+                     const RunContext& ctx) {
+  const TorusGrid grid = make_torus_grid(lattice, options.grid_points);
+  DenseMean mean;
+  mean.mesh = build_mesh({procrustes(lifted_to_all(shapes, grid.turns, ctx), options.scale).mean, grid.triangles});
+  mean.map = {lattice, VertexMap<Vec2>(grid.turns), grid.jumps};
+  mean.density = curvature_density(mean.mesh, options.remeshing);
+  return mean;
+}
+
+RefinedLandmarks landmarks_on(const DenseMean& mean, const std::vector<LiftingShape>& shapes, int count,
+                              const BuildOptions& options, const RunContext& ctx) {
+  RemeshOptions remeshing = options.remeshing;
+  remeshing.landmarks = count;
+  const LandmarkMesh landmarks = remesh(mean.mesh, mean.map, mean.density, ctx, remeshing);
+  std::vector<LandmarkShape> views;
+  for (const LiftingShape& shape : shapes) views.push_back({shape.locator.get(), shape.tree.get()});
+  return refine_landmarks(landmarks, views, ctx);
+}
+
+double mean_representation_error(const LandmarkMesh& landmarks, const std::vector<LiftingShape>& shapes,
+                                 const BuildOptions& options, const RunContext& ctx) {
+  std::vector<double> errors(shapes.size());
+  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
+    const LiftingShape& shape = shapes[static_cast<std::size_t>(i)];
+    const TriangleTree sampled(build_mesh({lifted(shape, landmarks.turns), landmarks.triangles}));
+    errors[static_cast<std::size_t>(i)] =
+        surface_distance(sampled, *shape.tree, {.samples = search_samples, .seed = options.seed}).mean;
+  });
+  double sum = 0;
+  for (double error : errors) sum += error;
+  return sum / static_cast<double>(errors.size());
+}
+
+// As few landmarks as reach the error, up to one step of growth.
+RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<LiftingShape>& shapes,
+                                     const BuildOptions& options, const RunContext& ctx) {
+  for (int count = first_landmarks; count <= most_landmarks;
+       count = static_cast<int>(landmark_growth * count)) {
+    ctx.check();
+    RefinedLandmarks refined = landmarks_on(mean, shapes, count, options, ctx);
+    if (mean_representation_error(refined.landmarks, shapes, options, ctx) <= *options.target_error_mm) return refined;
+  }
+  throw ConvergenceError("--target-error " + std::to_string(*options.target_error_mm) + ": not reached with " +
+                         std::to_string(most_landmarks) + " landmarks; give a larger error");
+}
+
+}  // namespace
+
+void place_landmarks(ModelBuild& build, const BuildOptions& options, const RunContext& ctx) {
+  const auto shapes = lifting_shapes(build, ctx);
+  const DenseMean mean = dense_mean(shapes, build.reference_map.shape_map.map.lattice, options, ctx);
+  ctx.step("resample", 0.3);
+  RefinedLandmarks refined = options.target_error_mm ? landmarks_for_error(mean, shapes, options, ctx)
+                                                     : landmarks_on(mean, shapes, options.landmarks, options, ctx);
+  ctx.step("resample", 0.9);
+  build.landmarks = std::move(refined.landmarks);
+  build.inserted_landmarks = refined.inserted;
+  build.remaining_flips = refined.remaining;
+  auto lifted_landmarks = lifted_to_all(shapes, build.landmarks.turns, ctx);
+  for (std::size_t i = 0; i < build.shapes.size(); ++i) build.shapes[i].landmarks = std::move(lifted_landmarks[i]);
+}
+
+void place_landmarks_by_icp(ModelBuild& build, const BuildOptions& options, const RunContext& ctx) {
+  const Mesh& reference = build.reference_map.mesh();
+  const TorusMap& map = build.reference_map.shape_map.map;
+  RemeshOptions remeshing = options.remeshing;
+  remeshing.landmarks = options.landmarks;
+  build.landmarks = remesh(reference, map, curvature_density(reference, remeshing), ctx, remeshing);
+
+  const TorusLocator locator(reference, map);
+  std::vector<Vec3> landmarks;
+  for (const Vec2& p : build.landmarks.turns) landmarks.push_back(position(reference, locator.locate(p)));
+  const auto normals = vertex_normals(build_mesh({landmarks, build.landmarks.triangles}));
+  parallel_for(static_cast<int>(build.shapes.size()), ctx, [&](int i) {
+    ShapeOutcome& shape = build.shapes[static_cast<std::size_t>(i)];
+    if (i == build.reference) {
+      shape.landmarks = landmarks;
+      return;
+    }
+    const TriangleTree tree(shape.input.mesh);
+    auto carried =
+        icp_correspondence(landmarks, normals.values(), tree, shape.registration.alignment.transform);
+    shape.landmarks = std::move(carried.points);
+    shape.unmatched = carried.without_compatible;
+  });
+}
+
+}  // namespace foramen

@@ -1,0 +1,118 @@
+#include "foramen/pipeline/run_build.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "foramen/pipeline/metrics_file.hpp"
+#include "foramen/pipeline/model_folder.hpp"
+#include "foramen/pipeline/model_page.hpp"
+#include "foramen/pipeline/corresponding_folder.hpp"
+#include "pipeline/run_json.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Finds out before the work that the results can be written after it.
+void prepare_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed || !fs::is_directory(folder))
+    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() + "); give another with -o");
+  const fs::path probe = folder / ".foramen-write-test";
+  if (!std::ofstream(probe)) throw IoError(folder.string() + ": the folder cannot be written to; give another with -o");
+  fs::remove(probe, failed);
+}
+
+// A former build into the same folder may have had other shapes: their files would pass for this model's.
+void remove_stale(const fs::path& folder, const std::set<std::string>& expected) {
+  if (!fs::is_directory(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".ply" && !expected.contains(entry.path().filename().string()))
+      fs::remove(entry.path());
+}
+
+void remove_stale_files(const fs::path& folder, const ModelBuild& build) {
+  std::set<std::string> corresponding;
+  for (const ShapeOutcome& shape : build.shapes) corresponding.insert(shape.input.stem + ".ply");
+  remove_stale(folder / "corresponding", corresponding);
+  remove_stale(folder / "modes", {});
+}
+
+CorrespondingCohort corresponding_cohort(const ModelBuild& build, const std::string& subject_pattern) {
+  CorrespondingCohort cohort;
+  cohort.triangles = build.landmarks.triangles;
+  for (const ShapeOutcome& shape : build.shapes) {
+    cohort.names.push_back(shape.input.stem);
+    if (!subject_pattern.empty()) cohort.subjects.push_back(subject_of(shape.input.stem, subject_pattern));
+    cohort.corresponding.push_back(shape.landmarks);
+    cohort.inputs.push_back(shape.input.mesh);
+  }
+  return cohort;
+}
+
+std::vector<std::string> notes_on(const ModelBuild& build) {
+  std::vector<std::string> notes;
+  for (const ShapeOutcome& shape : build.shapes)
+    if (shape.input.was_inward) notes.push_back(shape.input.file_name + ": triangles were wound inward; reversed");
+  if (build.remaining_flips > 0)
+    notes.push_back(std::to_string(build.remaining_flips) +
+                    " landmark triangles are flipped or degenerate on some shape and could not be mended within the budget of landmarks: "
+                    "give more with --landmarks");
+  return notes;
+}
+
+}  // namespace
+
+std::string subject_of(const std::string& stem, const std::string& pattern) {
+  try {
+    std::smatch match;
+    if (!std::regex_search(stem, match, std::regex(pattern))) return stem;
+    return match.size() > 1 && match[1].matched ? match[1].str() : match[0].str();
+  } catch (const std::regex_error& e) {
+    throw InvalidInput("--subject-regex " + pattern + ": not a regular expression (" + e.what() + ")");
+  }
+}
+
+BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
+  const auto start = std::chrono::steady_clock::now();
+  if (!request.subject_pattern.empty()) subject_of("", request.subject_pattern);
+  const auto files = find_meshes(request.inputs);
+  prepare_folder(request.output);
+  ctx.step("read", 0);
+  ModelBuild build = build_model(read_cohort(files, request.unit, ctx), request.build, ctx);
+
+  const CorrespondingCohort cohort = corresponding_cohort(build, request.subject_pattern);
+  EvaluationOptions evaluation_options = request.evaluation;
+  evaluation_options.scale = request.build.scale;
+  evaluation_options.seed = request.build.seed;
+  std::optional<TrueCorrespondence> truth;
+  if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
+  const Evaluation evaluation = evaluate_model(cohort, evaluation_options, ctx, truth ? &*truth : nullptr);
+
+  ctx.step("write", 0);
+  remove_stale_files(request.output, build);
+  write_model_files(request.output, build, request.canonical_command, millimetres_per(request.unit));
+  write_metrics(request.output, evaluation);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto run = run_json(request, build, evaluation, seconds, ctx.threads());
+  write_file(request.output / "report.html", model_page(run, evaluation, atlas_of(build), build.model));
+  write_file(request.output / "run.json", run.dump(2) + "\n");
+  ctx.step("write", 1);
+
+  BuildSummary summary;
+  summary.left_out = build.left_out;
+  summary.notes = notes_on(build);
+  summary.text = model_summary(run, evaluation);
+  summary.json = run.dump(2);
+  return summary;
+}
+
+}  // namespace foramen

@@ -1,0 +1,121 @@
+#include "pipeline/run_json.hpp"
+
+#include <sys/resource.h>
+
+#include "foramen/pipeline/version.hpp"
+
+namespace foramen {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json matrix_json(const Eigen::Matrix2i& m) { return {{m(0, 0), m(0, 1)}, {m(1, 0), m(1, 1)}}; }
+
+ordered_json certificate_json(const RegisteredShape& shape, const ReferenceLoops& reference) {
+  const MapCertificate& c = shape.shape_map.certificate;
+  return {{"mesh", "input"},
+          {"triangles", c.triangles},
+          {"flipped", c.flipped},
+          {"smallest_area_ratio", c.smallest_area_ratio},
+          {"largest_area_ratio", c.largest_area_ratio},
+          {"degree", c.degree},
+          {"homology_matrix", matrix_json(shape.homology)},
+          {"seifert_matrix", matrix_json(shape.seifert)},
+          {"reference_seifert_matrix", matrix_json(reference.seifert)},
+          {"map_agreement", {shape.agreement.x(), shape.agreement.y()}}};
+}
+
+ordered_json shape_json(const ModelBuild& build, std::size_t i, const Evaluation& evaluation, bool torus) {
+  const ShapeOutcome& shape = build.shapes[i];
+  const RegisteredShape& registration = shape.registration;
+  const bool is_reference = static_cast<int>(i) == build.reference;
+  ordered_json out = {{"name", shape.input.stem},
+                      {"status", is_reference ? "reference" : "used"},
+                      {"reason", shape.input.was_inward ? "wound inward; reversed" : ""},
+                      {"seconds", shape.seconds},
+                      {"alignment_residual_mm", registration.alignment.residual}};
+  if (torus || is_reference) {
+    out["iterations"] = registration.shape_map.iterations;
+    out["energy_initial"] = registration.shape_map.initial_energy;
+    out["energy_final"] = registration.shape_map.final_energy;
+    out["distortion"] = registration.shape_map.distortion;
+    out["certificate"] = certificate_json(registration, build.reference_map.loops);
+  } else {
+    out["landmarks_without_compatible_point"] = shape.unmatched;
+  }
+  const ShapeRepresentation& r = evaluation.representation.shapes[i];
+  out["flips_in_map"] = torus || is_reference ? ordered_json(registration.shape_map.certificate.flipped) : ordered_json();
+  out["flips_sampled_plain"] = r.plain_flips;
+  out["flips_sampled_confirmed"] = r.confirmed_flips;
+  out["triangles_opposing_mean"] = r.opposing_mean;
+  return out;
+}
+
+ordered_json inputs_json(const ModelBuild& build) {
+  ordered_json inputs = ordered_json::array();
+  for (const ShapeOutcome& shape : build.shapes)
+    inputs.push_back({{"file", shape.input.file_name},
+                      {"sha256", shape.input.sha256},
+                      {"vertices", shape.input.mesh.vertex_count()},
+                      {"triangles", shape.input.mesh.face_count()}});
+  for (const LeftOut& shape : build.left_out) inputs.push_back({{"file", shape.file_name}, {"sha256", shape.sha256}});
+  return inputs;
+}
+
+}  // namespace
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+ordered_json options_json(const BuildOptions& options) {
+  const RegisterOptions& r = options.registration;
+  return {{"method", options.method == Method::torus ? "torus" : "icp"},
+          {"reference", options.reference},
+          {"landmarks", options.landmarks},
+          {"target_error_mm", options.target_error_mm ? ordered_json(*options.target_error_mm) : ordered_json()},
+          {"scale", options.scale == ScaleMode::keep ? "keep" : "remove"},
+          {"seed", options.seed},
+          {"lambda", r.lambda},
+          {"weighting", r.weighting == Weighting::area ? "area" : "each"},
+          {"initial_map", r.initial_map == InitialMap::torus ? "torus" : "rectangle"},
+          {"optimiser", r.optimiser == Optimiser::newton ? "newton" : "polak-ribiere"},
+          {"edge_cost", r.edge_cost == EdgeCost::paper ? "paper" : "length_weighted"},
+          {"neighbours", r.neighbours.count},
+          {"neighbour_search", r.neighbours.search == NeighbourSearch::points ? "points" : "oriented_points"},
+          {"neighbour_weights", r.neighbours.weights == NeighbourWeights::absolute ? "absolute" : "relative"},
+          {"working_vertices", r.working_vertices},
+          {"relative_tolerance", r.relative_tolerance},
+          {"grid_points", options.grid_points}};
+}
+
+ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation, double seconds,
+                      int threads) {
+  const bool torus = request.build.method == Method::torus;
+  ordered_json shapes = ordered_json::array();
+  for (std::size_t i = 0; i < build.shapes.size(); ++i) shapes.push_back(shape_json(build, i, evaluation, torus));
+  for (const LeftOut& shape : build.left_out)
+    shapes.push_back({{"name", shape.stem}, {"status", "left out"}, {"reason", shape.reason}});
+  ordered_json stages = ordered_json::object();
+  for (const auto& [name, time] : build.stage_seconds) stages[name] = time;
+  stages["evaluate"] = evaluation.seconds.representation + evaluation.seconds.generalization +
+                       evaluation.seconds.specificity + evaluation.seconds.truth;
+  return {{"version", version()},
+          {"command", request.canonical_command},
+          {"options", options_json(request.build)},
+          {"seed", request.build.seed},
+          {"inputs", inputs_json(build)},
+          {"reference", build.shapes[static_cast<std::size_t>(build.reference)].input.stem},
+          {"landmarks", build.landmarks.turns.size()},
+          {"landmarks_inserted", build.inserted_landmarks},
+          {"landmark_triangles", build.landmarks.triangles.size()},
+          {"shapes", shapes},
+          {"seconds", seconds},
+          {"seconds_by_stage", stages},
+          {"threads", threads},
+          {"peak_memory_mb", peak_memory_mb()}};
+}
+
+}  // namespace foramen

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "foramen/pipeline/run_build.hpp"
+
+namespace foramen {
+
+/// The record of a run: version, command, options, inputs, what became of each shape, times, memory.
+nlohmann::ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation,
+                                double seconds, int threads);
+
+/// A build's options by their command-line names.
+nlohmann::ordered_json options_json(const BuildOptions& options);
+
+/// Largest resident memory of this process so far, MB.
+double peak_memory_mb();
+
+}  // namespace foramen

@@ -1,0 +1,7 @@
+#include "foramen/pipeline/version.hpp"
+
+namespace foramen {
+
+std::string version() { return FORAMEN_VERSION; }
+
+}  // namespace foramen

@@ -1,0 +1,76 @@
+#include "foramen/report/report_page.hpp"
+
+#include "report/html_text.hpp"
+
+namespace foramen {
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light dark; --line: #8886; --faint: #8881; }
+body { font: 16px/1.5 system-ui, sans-serif; margin: 0 auto; padding: 1rem; max-width: 1200px; }
+h1 { margin-bottom: 0; } .subtitle { margin-top: 0; opacity: .75; }
+h2 { border-bottom: 1px solid var(--line); padding-bottom: .2rem; margin-top: 2.2rem; }
+.charts, .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 420px), 1fr)); gap: 1rem; }
+figure { margin: 0; } figure img { max-width: 100%; height: auto; } figcaption, .note { font-size: .88rem; opacity: .8; }
+.table { overflow-x: auto; } table { border-collapse: collapse; font-size: .92rem; margin: .5rem 0; }
+th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: right; white-space: nowrap; }
+th:first-child, td:first-child { text-align: left; } thead th { background: var(--faint); }
+td.long { text-align: left; white-space: normal; min-width: 16rem; }
+@media print { body { max-width: none; } h2, figure, table { break-inside: avoid; } }
+)";
+
+// Cells longer than this are prose, not figures.
+constexpr std::size_t prose_length = 40;
+
+std::string table_html(const ReportTable& table) {
+  std::string out = "<h3>" + html_escaped(table.title) + "</h3>\n";
+  if (!table.note.empty()) out += "<p class=\"note\">" + html_escaped(table.note) + "</p>\n";
+  out += "<div class=\"table\"><table><thead><tr>";
+  for (const auto& cell : table.header) out += "<th scope=\"col\">" + html_escaped(cell) + "</th>";
+  out += "</tr></thead><tbody>\n";
+  for (const auto& row : table.rows) {
+    out += "<tr>";
+    for (const auto& cell : row)
+      out += (cell.size() > prose_length ? "<td class=\"long\">" : "<td>") + html_escaped(cell) + "</td>";
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+std::string picture_html(const ReportPicture& picture) {
+  const std::string caption = html_escaped(picture.caption);
+  return "<figure><img alt=\"" + caption + "\" src=\"data:image/png;base64," + base64(picture.png) +
+         "\"><figcaption>" + caption + "</figcaption></figure>\n";
+}
+
+std::string section_html(const ReportSection& section) {
+  std::string out = "<section>\n<h2>" + html_escaped(section.title) + "</h2>\n";
+  for (const auto& text : section.paragraphs) out += "<p>" + html_escaped(text) + "</p>\n";
+  if (!section.pictures.empty()) {
+    out += "<div class=\"pictures\">\n";
+    for (const auto& picture : section.pictures) out += picture_html(picture);
+    out += "</div>\n";
+  }
+  if (!section.charts.empty()) {
+    out += "<div class=\"charts\">\n";
+    for (const auto& chart : section.charts) out += "<figure>" + svg_chart(chart) + "</figure>\n";
+    out += "</div>\n";
+  }
+  for (const auto& table : section.tables) out += table_html(table);
+  return out + "</section>\n";
+}
+
+}  // namespace
+
+std::string report_html(const ReportPage& page) {
+  const std::string title = html_escaped(page.title);
+  std::string out =
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
+      title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p class=\"subtitle\">" +
+      html_escaped(page.subtitle) + "</p>\n";
+  for (const auto& section : page.sections) out += section_html(section);
+  return out + "</body>\n</html>\n";
+}
+
+}  // namespace foramen

@@ -1,0 +1,75 @@
+#include "foramen/spatial/flips.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/SVD>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+
+namespace foramen {
+namespace {
+
+// On a thin wall the closest point may be on the other side: input triangles this much farther are asked too.
+constexpr double confirming_edges = 0.25;
+constexpr double degenerate_height = 1e-12;
+
+bool is_degenerate(const std::array<Vec3, 3>& t) {
+  const double longest2 =
+      std::max({(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
+  return 2 * area(t) <= degenerate_height * longest2;  // twice the area = longest side times height
+}
+
+bool opposes(const Vec3& normal, const Mesh& input, FaceId face) {
+  return area_vector(input.triangle(face)).dot(normal) < 0;
+}
+
+bool opposes_all(const Vec3& normal, const Mesh& input, const std::vector<FaceId>& faces) {
+  return std::all_of(faces.begin(), faces.end(),
+                     [&](FaceId f) { return is_degenerate(input.triangle(f)) || opposes(normal, input, f); });
+}
+
+Mat3 rotation_onto(const Mesh& moving, const Mesh& fixed) {
+  const auto columns = [](const Mesh& mesh) {
+    Eigen::Matrix3Xd points(3, mesh.vertex_count());
+    for (VertexId v : mesh.vertices()) points.col(v.index) = mesh.position(v);
+    return points;
+  };
+  return Eigen::umeyama(columns(moving), columns(fixed), false).topLeftCorner<3, 3>();
+}
+
+}  // namespace
+
+SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input) {
+  SampledFlips flips;
+  if (corresponding.face_count() == 0) return flips;
+  const double margin = confirming_edges * mean_edge_length(corresponding);
+  for (FaceId f : corresponding.faces()) {
+    const auto t = corresponding.triangle(f);
+    if (is_degenerate(t)) {
+      flips.degenerate.push_back(f);
+      continue;
+    }
+    const Vec3 normal = area_vector(t), centroid = (t[0] + t[1] + t[2]) / 3;
+    const ClosestPoint closest = input.closest(centroid);
+    if (!closest.on.face.valid() || !opposes(normal, input.mesh(), closest.on.face)) continue;
+    flips.plain.push_back(f);
+    const double radius = std::sqrt(closest.squared_distance) + margin;
+    if (opposes_all(normal, input.mesh(), input.faces_within(centroid, radius))) flips.confirmed.push_back(f);
+  }
+  return flips;
+}
+
+int opposing_mean(const Mesh& corresponding, const Mesh& mean) {
+  if (corresponding.triangles() != mean.triangles())
+    throw InvalidInput(
+        "opposing_mean: the two meshes have different triangles; both must come from one model");
+  const Mat3 rotation = rotation_onto(corresponding, mean);
+  int count = 0;
+  for (FaceId f : mean.faces())
+    if ((rotation * area_vector(corresponding.triangle(f))).dot(area_vector(mean.triangle(f))) < 0) ++count;
+  return count;
+}
+
+}  // namespace foramen

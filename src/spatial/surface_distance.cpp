@@ -1,0 +1,99 @@
+#include "foramen/spatial/surface_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+
+namespace foramen {
+namespace {
+
+// Uniform in a triangle.
+Vec3 random_barycentric(Rng& rng) {
+  const double s = std::sqrt(rng.uniform()), t = rng.uniform();
+  return {1 - s, s * (1 - t), s * t};
+}
+
+std::vector<double> distances(const Mesh& from, std::span<const SurfacePoint> samples,
+                              const TriangleTree& to) {
+  std::vector<double> result;
+  result.reserve(samples.size());
+  for (const SurfacePoint& p : samples)
+    result.push_back(std::sqrt(to.closest(position(from, p)).squared_distance));
+  return result;
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// The smallest value that at least `share` of all do not exceed.
+double percentile(std::vector<double> values, double share) {
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  const auto nth = values.begin() + std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(rank) - 1);
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+// Raises `largest` to the largest distance of a vertex; most vertices only need to be shown to be nearer.
+double raised_by_vertices(const Mesh& from, const TriangleTree& to, double largest) {
+  for (const Vec3& p : from.positions())
+    if (!to.any_within(p, largest)) largest = std::max(largest, std::sqrt(to.closest(p).squared_distance));
+  return largest;
+}
+
+}  // namespace
+
+std::vector<SurfacePoint> sample_surface(const Mesh& mesh, int count, const Rng& rng) {
+  if (count < 0)
+    throw InvalidInput("sample_surface: " + std::to_string(count) + " points asked for; give 0 or more");
+  std::vector<double> area_up_to;
+  area_up_to.reserve(static_cast<std::size_t>(mesh.face_count()));
+  double total = 0;
+  for (FaceId f : mesh.faces()) area_up_to.push_back(total += area(mesh.triangle(f)));
+  if (!(total > 0))
+    throw InvalidInput("sample_surface: the surface has no area; its points may all coincide");
+  Rng draws = rng;
+  std::vector<SurfacePoint> points;
+  points.reserve(static_cast<std::size_t>(count));
+  std::size_t face = 0;
+  for (int i = 0; i < count; ++i) {
+    const double target = total * ((i + draws.uniform()) / count);
+    // Strictly beyond the target, so that a face without area is never taken; rounding may leave none beyond
+    // it.
+    while (face < area_up_to.size() && area_up_to[face] <= target) ++face;
+    if (face == area_up_to.size())
+      face = static_cast<std::size_t>(std::lower_bound(area_up_to.begin(), area_up_to.end(), total) -
+                                      area_up_to.begin());
+    points.push_back({FaceId(static_cast<int>(face)), random_barycentric(draws)});
+  }
+  return points;
+}
+
+SurfaceDistance surface_distance(const TriangleTree& a, std::span<const SurfacePoint> samples_of_a,
+                                 const TriangleTree& b, std::span<const SurfacePoint> samples_of_b) {
+  if (samples_of_a.empty() || samples_of_b.empty())
+    throw InvalidInput("surface_distance: needs at least one sample a side");
+  std::vector<double> all = distances(a.mesh(), samples_of_a, b);
+  const std::vector<double> back = distances(b.mesh(), samples_of_b, a);
+  SurfaceDistance result;
+  result.mean = 0.5 * (mean(all) + mean(back));
+  all.insert(all.end(), back.begin(), back.end());
+  const double largest_sample = *std::max_element(all.begin(), all.end());
+  result.hausdorff = raised_by_vertices(b.mesh(), a, raised_by_vertices(a.mesh(), b, largest_sample));
+  result.p95 = percentile(std::move(all), 0.95);
+  return result;
+}
+
+SurfaceDistance surface_distance(const TriangleTree& a, const TriangleTree& b,
+                                 const SurfaceDistanceOptions& options) {
+  // The same stream for both, so that exchanging the arguments changes nothing.
+  const Rng rng(options.seed);
+  return surface_distance(a, sample_surface(a.mesh(), options.samples, rng), b,
+                          sample_surface(b.mesh(), options.samples, rng));
+}
+
+}  // namespace foramen

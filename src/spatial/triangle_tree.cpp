@@ -1,0 +1,190 @@
+#include "foramen/spatial/triangle_tree.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "spatial/triangle_closest.hpp"
+#include "spatial/triangle_tree_detail.hpp"
+
+namespace foramen {
+namespace {
+
+using Floats = Eigen::Array4f;
+
+// Box distances are sums of three squares in single precision: at most 5 roundings, 3e-7 relative. Boxes
+// beyond the bound by less than this factor are looked at.
+constexpr double box_slack = 1 + 2e-6;
+// Moves a float past its rounding error.
+constexpr float float_slack = 2 * std::numeric_limits<float>::epsilon();
+constexpr float cosine_slack = 1e-5f;
+
+template <class Row>
+Floats load(const Row& row) {
+  return Eigen::Map<const Floats, Eigen::Aligned16>(row.data());
+}
+
+float as_limit(double squared) {
+  const double limit = squared * box_slack;
+  return limit < static_cast<double>(std::numeric_limits<float>::max())
+             ? static_cast<float>(limit)
+             : std::numeric_limits<float>::infinity();
+}
+
+detail::TrianglePoint closest_on(const std::array<Vec3, 3>& t, bool sliver, const Vec3& query) {
+  return sliver ? detail::closest_on_sliver(t, query) : detail::closest_on_regular(t, query);
+}
+
+ClosestPoint closest_point(const std::array<Vec3, 3>& t, const detail::TrianglePoint& p, FaceId face) {
+  return {{face, Vec3(std::max(0.0, 1 - p.v - p.w), p.v, p.w)},
+          detail::point_of(t, p.v, p.w),
+          p.squared_distance};
+}
+
+// The best triangle so far: nearer, or equally near and of smaller index.
+struct Best {
+  double squared_distance;
+  int face = -1, slot = -1;
+  detail::TrianglePoint where = {};
+  void offer(const detail::TrianglePoint& p, int candidate, int candidate_slot) {
+    const bool tie = p.squared_distance == squared_distance && candidate < face;
+    if (!(p.squared_distance < squared_distance) && !tie) return;
+    squared_distance = p.squared_distance;
+    face = candidate;
+    slot = candidate_slot;
+    where = p;
+  }
+};
+
+}  // namespace
+
+ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3& query) {
+  return closest_point(triangle, closest_on(triangle, detail::is_sliver(triangle), query), FaceId());
+}
+
+// The query in the boxes' coordinates, rounded both ways, in four lanes.
+struct TriangleTree::PointQuery {
+  std::array<Floats, 3> up, down;
+  PointQuery(const Vec3& query, const Vec3& origin) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto axis = static_cast<Eigen::Index>(i);
+      const auto x = static_cast<float>(query[axis] - origin[axis]);
+      const float slack = std::abs(x) * float_slack;
+      up[i] = Floats::Constant(x + slack);
+      down[i] = Floats::Constant(x - slack);
+    }
+  }
+  /// Lower bounds of the squared distances to the four boxes.
+  Floats squared_distances(const Node& node) const {
+    Floats sum = Floats::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Floats d = (load(node.low[i]) - up[i]).max(down[i] - load(node.high[i])).max(0.0f);
+      sum += d * d;
+    }
+    return sum;
+  }
+};
+
+// Nearest boxes first. `prune(node, distances)` may turn distances into NaN, which are not followed;
+// `visit(slot)` sees single triangles, may lower `bound` (a squared distance) and returns true to stop.
+template <class Prune, class Visit>
+void TriangleTree::traverse(const PointQuery& query, const double& bound, const Prune& prune,
+                            const Visit& visit) const {
+  struct Entry {
+    float squared_distance;
+    int child;
+  };
+  if (nodes_.empty()) return;
+  std::array<Entry, detail::stack_size> stack;
+  std::size_t top = 0;
+  stack[top++] = {0.0f, 0};
+  float limit = as_limit(bound);
+  while (top > 0) {
+    const Entry entry = stack[--top];
+    if (!(entry.squared_distance <= limit)) continue;
+    if (entry.child < 0) {
+      const int first = detail::leaf_first(entry.child), end = first + detail::leaf_count(entry.child);
+      for (int slot = first; slot < end; ++slot)
+        if (visit(static_cast<std::size_t>(slot))) return;
+      limit = as_limit(bound);
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(entry.child);
+    const Node& node = nodes_[index];
+    Floats distances = query.squared_distances(node);
+    prune(index, distances);
+    const std::size_t base = top;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const float d = distances[static_cast<Eigen::Index>(k)];
+      if (!(d <= limit)) continue;
+      std::size_t place = top++;
+      for (; place > base && stack[place - 1].squared_distance < d; --place) stack[place] = stack[place - 1];
+      stack[place] = {d, node.child[k]};
+    }
+  }
+}
+
+ClosestPoint TriangleTree::closest(const Vec3& query, double within) const {
+  Best best{within > 0 ? within * within : 0.0};
+  traverse(
+      PointQuery(query, origin_), best.squared_distance, [](std::size_t, Floats&) {},
+      [&](std::size_t slot) {
+        best.offer(closest_on(triangles_[slot], sliver_[slot], query), order_[slot], static_cast<int>(slot));
+        return false;
+      });
+  if (best.face < 0) return {};
+  return closest_point(triangles_[static_cast<std::size_t>(best.slot)], best.where, FaceId(best.face));
+}
+
+std::optional<ClosestPoint> TriangleTree::closest_compatible(const Vec3& query, const Vec3& normal,
+                                                             double min_cosine, double within) const {
+  Best best{within > 0 ? within * within : 0.0};
+  const Eigen::Array3f n = normal.cast<float>().array();
+  const auto least = static_cast<float>(min_cosine) - cosine_slack * std::max(1.0f, n.abs().sum());
+  const auto incompatible_to_nan = [&](std::size_t index, Floats& distances) {
+    const NormalNode& node = normal_nodes_[index];
+    Floats cosine = Floats::Zero();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float x = n[static_cast<Eigen::Index>(i)];
+      cosine += (load(node.low[i]) * x).max(load(node.high[i]) * x);
+    }
+    distances = (cosine > least).select(distances, Floats::Constant(std::numeric_limits<float>::quiet_NaN()));
+  };
+  traverse(PointQuery(query, origin_), best.squared_distance, incompatible_to_nan, [&](std::size_t slot) {
+    const Vec3& m = normals_[slot];
+    if (!(m.dot(normal) > min_cosine) || m.isZero(0)) return false;
+    best.offer(closest_on(triangles_[slot], sliver_[slot], query), order_[slot], static_cast<int>(slot));
+    return false;
+  });
+  if (best.face < 0) return std::nullopt;
+  return closest_point(triangles_[static_cast<std::size_t>(best.slot)], best.where, FaceId(best.face));
+}
+
+bool TriangleTree::any_within(const Vec3& query, double radius) const {
+  if (!(radius >= 0)) return false;
+  const double bound = radius * radius;
+  bool found = false;
+  traverse(
+      PointQuery(query, origin_), bound, [](std::size_t, Floats&) {},
+      [&](std::size_t slot) {
+        found = closest_on(triangles_[slot], sliver_[slot], query).squared_distance <= bound;
+        return found;
+      });
+  return found;
+}
+
+std::vector<FaceId> TriangleTree::faces_within(const Vec3& query, double radius) const {
+  std::vector<FaceId> faces;
+  if (!(radius >= 0)) return faces;
+  const double bound = radius * radius;
+  traverse(
+      PointQuery(query, origin_), bound, [](std::size_t, Floats&) {},
+      [&](std::size_t slot) {
+        if (closest_on(triangles_[slot], sliver_[slot], query).squared_distance <= bound)
+          faces.emplace_back(order_[slot]);
+        return false;
+      });
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace foramen

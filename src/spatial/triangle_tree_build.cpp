@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "spatial/triangle_closest.hpp"
+#include "spatial/triangle_tree_detail.hpp"
+
+namespace foramen {
+namespace {
+
+constexpr int bin_count = 16;
+// From this depth on ranges are halved, which bounds the depth (and so the stack of a query) whatever the
+// input.
+constexpr int halving_depth = 32;
+
+struct Box {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  void add(const Vec3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  void add(const Box& other) {
+    low = low.cwiseMin(other.low);
+    high = high.cwiseMax(other.high);
+  }
+  double half_area() const {
+    const Vec3 s = (high - low).cwiseMax(0.0);
+    return s[0] * s[1] + s[1] * s[2] + s[2] * s[0];
+  }
+};
+
+struct Range {
+  int first, count, depth;
+};
+
+Box box_of(const std::array<Vec3, 3>& t) {
+  Box box;
+  for (const Vec3& p : t) box.add(p);
+  return box;
+}
+
+float rounded_down(double x) {
+  return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::infinity());
+}
+float rounded_up(double x) {
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+// Binary splits by the surface area heuristic over bins (Wald 2007), gathered four to a node.
+struct TriangleTree::Builder {
+  TriangleTree& tree;
+  std::vector<Box> boxes;
+  std::vector<Vec3> centres;
+
+  explicit Builder(TriangleTree& target) : tree(target) {
+    const int faces = tree.mesh_.face_count();
+    boxes.reserve(static_cast<std::size_t>(faces));
+    centres.reserve(static_cast<std::size_t>(faces));
+    tree.order_.reserve(static_cast<std::size_t>(faces));
+    for (FaceId f : tree.mesh_.faces()) {
+      boxes.push_back(box_of(tree.mesh_.triangle(f)));
+      centres.push_back(0.5 * (boxes.back().low + boxes.back().high));
+      tree.order_.push_back(f.index);
+    }
+    if (faces > 0) build({0, faces, 0});
+  }
+
+  int* at(int position) { return tree.order_.data() + position; }
+  const Vec3& centre(int position) { return centres[static_cast<std::size_t>(*at(position))]; }
+  const Box& box(int position) { return boxes[static_cast<std::size_t>(*at(position))]; }
+
+  int build(const Range& range) {
+    const int index = static_cast<int>(tree.nodes_.size());
+    tree.nodes_.emplace_back();
+    std::vector<Range> children{range};
+    while (children.size() < 4) {
+      const auto largest = std::max_element(children.begin(), children.end(),
+                                            [](const Range& a, const Range& b) { return a.count < b.count; });
+      if (largest->count <= detail::leaf_size) break;
+      const Range whole = *largest;
+      const int mid = split(whole);
+      *largest = {whole.first, mid - whole.first, whole.depth + 1};
+      children.insert(largest + 1, {mid, whole.first + whole.count - mid, whole.depth + 1});
+    }
+    std::array<int, 4> child;
+    child.fill(detail::no_child);
+    for (std::size_t k = 0; k < children.size(); ++k)
+      child[k] = children[k].count <= detail::leaf_size
+                     ? detail::encode_leaf(children[k].first, children[k].count)
+                     : build(children[k]);
+    tree.nodes_[static_cast<std::size_t>(index)].child = child;
+    return index;
+  }
+
+  // Reorders the range and returns where its second part begins.
+  int split(const Range& range) {
+    Box spread;
+    for (int i = range.first; i < range.first + range.count; ++i) spread.add(centre(i));
+    int axis = 0;
+    const double width = (spread.high - spread.low).maxCoeff(&axis);
+    if (!(width > 0) || range.depth >= halving_depth || range.count <= 2 * detail::leaf_size)
+      return halve(range, axis);
+    const double scale = bin_count / width;
+    const auto bin_of = [&](int face) {
+      const double offset = centres[static_cast<std::size_t>(face)][axis] - spread.low[axis];
+      return std::min(bin_count - 1, static_cast<int>(offset * scale));
+    };
+    const int cut = best_cut(range, bin_of);
+    int* mid = std::partition(at(range.first), at(range.first) + range.count,
+                              [&](int face) { return bin_of(face) < cut; });
+    const int position = static_cast<int>(mid - tree.order_.data());
+    if (position == range.first || position == range.first + range.count) return halve(range, axis);
+    return position;
+  }
+
+  // The bin before which to cut: smallest sum of count times area of both sides.
+  template <class BinOf>
+  int best_cut(const Range& range, const BinOf& bin_of) {
+    std::array<Box, bin_count> bins;
+    std::array<int, bin_count> counts{};
+    for (int i = range.first; i < range.first + range.count; ++i) {
+      const auto b = static_cast<std::size_t>(bin_of(*at(i)));
+      bins[b].add(box(i));
+      ++counts[b];
+    }
+    // The first and the last bin hold the outermost centres, so neither side of a cut is ever empty.
+    std::array<double, bin_count> cost{};
+    Box side;
+    int in_side = 0;
+    for (std::size_t b = 0; b + 1 < bin_count; ++b) {
+      side.add(bins[b]);
+      in_side += counts[b];
+      cost[b + 1] = in_side * side.half_area();
+    }
+    side = Box();
+    in_side = 0;
+    std::size_t best = bin_count - 1;
+    for (std::size_t b = bin_count - 1; b > 0; --b) {
+      side.add(bins[b]);
+      in_side += counts[b];
+      cost[b] += in_side * side.half_area();
+      if (cost[b] < cost[best]) best = b;
+    }
+    return static_cast<int>(best);
+  }
+
+  int halve(const Range& range, int axis) {
+    const int half = range.count / 2;
+    std::nth_element(at(range.first), at(range.first + half), at(range.first) + range.count,
+                     [&](int a, int b) {
+                       const double x = centres[static_cast<std::size_t>(a)][axis];
+                       const double y = centres[static_cast<std::size_t>(b)][axis];
+                       return x < y || (x == y && a < b);
+                     });
+    return range.first + half;
+  }
+};
+
+TriangleTree::TriangleTree(const Mesh& mesh) : mesh_(mesh) {
+  Builder builder(*this);
+  normal_nodes_.resize(nodes_.size());
+  refresh();
+}
+
+void TriangleTree::refit(const Mesh& mesh) {
+  if (mesh.triangles() != mesh_.triangles())
+    throw InvalidInput("TriangleTree::refit: the mesh has other triangles (" +
+                       std::to_string(mesh.face_count()) + " against " + std::to_string(mesh_.face_count()) +
+                       "); build a new tree for it");
+  mesh_ = mesh;
+  refresh();
+}
+
+// Everything that depends on positions.
+void TriangleTree::refresh() {
+  const std::size_t count = order_.size();
+  triangles_.resize(count);
+  normals_.resize(count);
+  sliver_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    triangles_[i] = mesh_.triangle(FaceId(order_[i]));
+    normals_[i] = unit_normal(triangles_[i]);
+    sliver_[i] = detail::is_sliver(triangles_[i]);
+  }
+  if (count == 0) return;
+  const BoundingBox whole = bounding_box(mesh_.positions());
+  origin_ = 0.5 * (whole.low + whole.high);
+  // What the subtraction of the origin may round away.
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() *
+                          std::max(whole.low.cwiseAbs().maxCoeff(), whole.high.cwiseAbs().maxCoeff());
+
+  std::vector<std::pair<Box, Box>> below(nodes_.size());  // boxes of points and of normals
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    Node& node = nodes_[n];
+    NormalNode& normal_node = normal_nodes_[n];
+    for (std::size_t k = 0; k < 4; ++k) {
+      Box points, normals;
+      const int child = node.child[k];
+      if (child >= 0) {
+        std::tie(points, normals) = below[static_cast<std::size_t>(child)];
+      } else {
+        for (int i = detail::leaf_first(child); i < detail::leaf_first(child) + detail::leaf_count(child);
+             ++i) {
+          points.add(box_of(triangles_[static_cast<std::size_t>(i)]));
+          normals.add(normals_[static_cast<std::size_t>(i)]);
+        }
+      }
+      below[n].first.add(points);
+      below[n].second.add(normals);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        node.low[i][k] = rounded_down(points.low[axis] - origin_[axis] - rounding);
+        node.high[i][k] = rounded_up(points.high[axis] - origin_[axis] + rounding);
+        normal_node.low[i][k] = rounded_down(normals.low[axis]);
+        normal_node.high[i][k] = rounded_up(normals.high[axis]);
+      }
+    }
+  }
+}
+
+}  // namespace foramen

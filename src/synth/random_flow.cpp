@@ -1,0 +1,73 @@
+#include "foramen/synth/random_flow.hpp"
+
+#include <cmath>
+
+#include "foramen/core/error.hpp"
+
+namespace foramen {
+namespace {
+
+// The order of draws is part of the result, so it must not be left to the compiler's order of arguments.
+Vec3 normal_vector(Rng& rng) {
+  Vec3 v;
+  for (int k = 0; k < 3; ++k) v[k] = rng.normal();
+  return v;
+}
+
+Vec3 runge_kutta_step(const VelocityField& v, const Vec3& x, double h) {
+  const Vec3 k1 = v(x), k2 = v(x + 0.5 * h * k1), k3 = v(x + 0.5 * h * k2), k4 = v(x + h * k3);
+  return x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+}
+
+}  // namespace
+
+Vec3 VelocityField::operator()(const Vec3& point) const {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t j = 0; j < wave_vectors.size(); ++j) {
+    const double phase = wave_vectors[j].dot(point);
+    sum += std::cos(phase) * cosine[j] + std::sin(phase) * sine[j];
+  }
+  return sum;
+}
+
+std::vector<VelocityField> random_velocity_fields(int count, const RandomFieldOptions& options, Rng& rng) {
+  FORAMEN_ASSERT(count >= 0 && options.correlation_mm > 0 && options.features > 0);
+  // The spectrum of exp(-r^2 / (2 l^2)) is normal with standard deviation 1 / l.
+  std::vector<Vec3> waves;
+  for (int j = 0; j < options.features; ++j) waves.push_back(normal_vector(rng) / options.correlation_mm);
+  // cos^2 + sin^2 = 1: with a cosine and a sine of each wave the variance is 1 for any set of waves.
+  const double scale = 1 / std::sqrt(static_cast<double>(options.features));
+  std::vector<VelocityField> fields(static_cast<std::size_t>(count));
+  for (VelocityField& field : fields) {
+    field.wave_vectors = waves;
+    for (int j = 0; j < options.features; ++j) {
+      field.cosine.push_back(scale * normal_vector(rng));
+      field.sine.push_back(scale * normal_vector(rng));
+    }
+  }
+  return fields;
+}
+
+VelocityField weighted_sum(std::span<const VelocityField> fields, std::span<const double> weights) {
+  FORAMEN_ASSERT(!fields.empty() && fields.size() == weights.size());
+  VelocityField sum{fields[0].wave_vectors, std::vector<Vec3>(fields[0].cosine.size(), Vec3::Zero()),
+                    std::vector<Vec3>(fields[0].sine.size(), Vec3::Zero())};
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    FORAMEN_ASSERT(fields[k].wave_vectors == sum.wave_vectors);
+    for (std::size_t j = 0; j < sum.cosine.size(); ++j) {
+      sum.cosine[j] += weights[k] * fields[k].cosine[j];
+      sum.sine[j] += weights[k] * fields[k].sine[j];
+    }
+  }
+  return sum;
+}
+
+std::vector<Vec3> carried_by_flow(std::span<const Vec3> points, const VelocityField& field, int steps) {
+  FORAMEN_ASSERT(steps > 0);
+  std::vector<Vec3> carried(points.begin(), points.end());
+  for (Vec3& x : carried)
+    for (int s = 0; s < steps; ++s) x = runge_kutta_step(field, x, 1.0 / steps);
+  return carried;
+}
+
+}  // namespace foramen

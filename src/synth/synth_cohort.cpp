@@ -1,0 +1,167 @@
+#include "foramen/synth/synth_cohort.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/core/parallel.hpp"
+#include "foramen/core/rng.hpp"
+#include "foramen/synth/isosurface.hpp"
+#include "foramen/synth/random_flow.hpp"
+#include "foramen/synth/vertebra_surface.hpp"
+
+namespace foramen {
+namespace {
+
+constexpr int truth_vertices = 10000;
+constexpr double lattice_spacing_mm = 2.0;
+constexpr double farthest_shift_mm = 200;
+constexpr int fewest_vertices =
+    1500;  // with fewer the facets' triangles are longer than the processes are thick
+
+// Numbers of the random streams. One of the cohort, and one for every choice made about an item.
+enum class CohortStream : std::uint64_t { shared_fields = 0, first_item = 1 };
+enum class ItemStream : std::uint64_t { lattice, deformation, order, pose };
+
+Rng item_stream(const SynthOptions& options, int item, ItemStream purpose) {
+  const Rng root(options.seed);
+  return root.fork(static_cast<std::uint64_t>(CohortStream::first_item) + static_cast<std::uint64_t>(item))
+      .fork(static_cast<std::uint64_t>(purpose));
+}
+
+void require(bool fine, const std::string& what, double found) {
+  if (!fine) throw InvalidInput("synth: " + what + ", found " + std::to_string(found));
+}
+
+void check(const SynthOptions& options) {
+  require(options.shapes >= 1, "shapes must be at least 1", options.shapes);
+  require(options.modes >= 0, "modes must be >= 0", options.modes);
+  require(options.amplitude_mm >= 0 && std::isfinite(options.amplitude_mm), "amplitude_mm must be >= 0",
+          options.amplitude_mm);
+  require(options.correlation_mm > 0 && std::isfinite(options.correlation_mm), "correlation_mm must be > 0",
+          options.correlation_mm);
+  require(options.vertices >= fewest_vertices, "vertices must be at least " + std::to_string(fewest_vertices),
+          options.vertices);
+}
+
+Eigen::Quaterniond random_rotation(Rng& rng) {
+  double q[4];  // a normal 4-vector has no preferred direction, so its rotation is uniform
+  for (double& component : q) component = rng.normal();
+  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+}
+
+RigidTransform random_motion(Rng& rng, double farthest_mm) {
+  RigidTransform motion = RigidTransform::Identity();
+  motion.linear() = random_rotation(rng).toRotationMatrix();
+  for (int k = 0; k < 3; ++k) motion.translation()[k] = rng.uniform(-farthest_mm, farthest_mm);
+  return motion;
+}
+
+TriangleSoup triangulated_template(const RigidTransform& lattice, int vertices) {
+  IsosurfaceOptions options;
+  options.bounds = vertebra_bounds();
+  options.spacing_mm = lattice_spacing_mm;
+  options.lattice = lattice;
+  options.vertices = vertices;
+  return isosurface(vertebra_surface, options);
+}
+
+// The triangulation every truth mesh is carried from: the same for all cohorts.
+const TriangleSoup& truth_template() {
+  static const TriangleSoup soup = triangulated_template(RigidTransform::Identity(), truth_vertices);
+  return soup;
+}
+
+// Variances of the true modes fall as 1 / k and sum to amplitude^2.
+std::vector<double> mode_deviations(const SynthOptions& options) {
+  double sum = 0;
+  for (int k = 1; k <= options.modes; ++k) sum += 1.0 / k;
+  std::vector<double> deviations;
+  for (int k = 1; k <= options.modes; ++k)
+    deviations.push_back(options.amplitude_mm * std::sqrt(1.0 / k / sum));
+  return deviations;
+}
+
+VelocityField deformation(const SynthOptions& options, std::span<const VelocityField> shared, Rng& rng) {
+  if (options.modes == 0) {
+    const auto own = random_velocity_fields(1, {.correlation_mm = options.correlation_mm}, rng);
+    return weighted_sum(own, std::vector<double>{options.amplitude_mm});
+  }
+  std::vector<double> scores = mode_deviations(options);
+  for (double& b : scores) b *= rng.normal();
+  return weighted_sum(shared, scores);
+}
+
+// Enough Runge-Kutta steps for displacements of four standard deviations.
+int flow_steps(const SynthOptions& options) {
+  const double per_correlation = 32 * options.amplitude_mm / options.correlation_mm;
+  return std::clamp(static_cast<int>(std::ceil(per_correlation)), 4, 1000);
+}
+
+std::vector<int> random_order(std::size_t count, Rng& rng) {
+  std::vector<int> order(count);
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t i = count; i > 1; --i)
+    std::swap(order[i - 1], order[static_cast<std::size_t>(rng.below(static_cast<int>(i)))]);
+  return order;
+}
+
+// Vertices and triangles in random order, and every triangle begun at a random corner.
+TriangleSoup shuffled(const TriangleSoup& soup, Rng& rng) {
+  const std::vector<int> vertex = random_order(soup.points.size(), rng);
+  const std::vector<int> face = random_order(soup.triangles.size(), rng);
+  TriangleSoup out;
+  out.points.resize(soup.points.size());
+  out.triangles.resize(soup.triangles.size());
+  for (std::size_t v = 0; v < vertex.size(); ++v)
+    out.points[static_cast<std::size_t>(vertex[v])] = soup.points[v];
+  for (std::size_t f = 0; f < face.size(); ++f) {
+    const auto first = static_cast<std::size_t>(rng.below(3));
+    for (std::size_t k = 0; k < 3; ++k)
+      out.triangles[static_cast<std::size_t>(face[f])][k] =
+          vertex[static_cast<std::size_t>(soup.triangles[f][(k + first) % 3])];
+  }
+  return out;
+}
+
+SynthShape make_shape(const SynthOptions& options, int item, const TriangleSoup& truth,
+                      std::span<const VelocityField> shared) {
+  Rng lattice_rng = item_stream(options, item, ItemStream::lattice);
+  Rng deformation_rng = item_stream(options, item, ItemStream::deformation);
+  Rng order_rng = item_stream(options, item, ItemStream::order);
+  Rng pose_rng = item_stream(options, item, ItemStream::pose);
+
+  const VelocityField field = deformation(options, shared, deformation_rng);
+  const RigidTransform pose = random_motion(pose_rng, farthest_shift_mm);
+  const auto carried = [&](TriangleSoup soup) {
+    if (options.amplitude_mm > 0) soup.points = carried_by_flow(soup.points, field, flow_steps(options));
+    soup.points = transformed(soup.points, pose);
+    return soup;
+  };
+  const RigidTransform lattice = random_motion(lattice_rng, lattice_spacing_mm);
+  return {shuffled(carried(triangulated_template(lattice, options.vertices)), order_rng), carried(truth)};
+}
+
+}  // namespace
+
+std::vector<SynthShape> synth_cohort(const SynthOptions& options, const RunContext& ctx) {
+  check(options);
+  const TriangleSoup& truth = truth_template();
+  Rng shared_rng = Rng(options.seed).fork(static_cast<std::uint64_t>(CohortStream::shared_fields));
+  const auto shared =
+      random_velocity_fields(options.modes, {.correlation_mm = options.correlation_mm}, shared_rng);
+
+  std::vector<SynthShape> shapes(static_cast<std::size_t>(options.shapes));
+  std::atomic<int> done{0};
+  parallel_for(options.shapes, ctx, [&](int item) {
+    shapes[static_cast<std::size_t>(item)] = make_shape(options, item, truth, shared);
+    ctx.step("synth", static_cast<double>(++done) / options.shapes);
+  });
+  return shapes;
+}
+
+}  // namespace foramen

@@ -1,0 +1,182 @@
+// The program as a user meets it: exit codes, messages, files.
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "foramen/io/mesh_file.hpp"
+#include "support/meshes.hpp"
+#include "support/real_data.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+struct Outcome {
+  int code;
+  std::string output;  // stdout and stderr together
+};
+
+Outcome run(const std::string& arguments) {
+  const std::string command = std::string(FORAMEN_PROGRAM) + " " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  std::string output;
+  char buffer[4096];
+  while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+}
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// All files of a folder but run.json (and the report's pictures' source does not matter: the page is among them).
+std::map<std::string, std::string> files_of(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().filename() != "run.json")
+      files[fs::relative(entry.path(), folder).string()] = contents(entry.path());
+  return files;
+}
+
+// A small synthetic cohort, made once for all tests.
+class Cli : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new testing::TemporaryFolder;
+    const Outcome made = run("synth -n 4 --seed 7 --vertices 2500 -o " + synth().string());
+    ASSERT_EQ(made.code, 0) << made.output;
+  }
+  static void TearDownTestSuite() { delete folder_; }
+  static fs::path folder() { return folder_->path(); }
+  static fs::path synth() { return folder() / "synth"; }
+  static std::string small_build(const std::string& more) {
+    return "build --landmarks 400 --samples 30 --quiet " + more + " ";
+  }
+
+ private:
+  static inline testing::TemporaryFolder* folder_ = nullptr;
+};
+
+TEST_F(Cli, UsageErrorsExitWith2) {
+  EXPECT_EQ(run("").code, 2);
+  EXPECT_EQ(run("frobnicate").code, 2);
+  EXPECT_EQ(run("build").code, 2);
+  EXPECT_EQ(run("build x -o y --method magic").code, 2);
+  EXPECT_EQ(run("build x -o y --landmarks 400 --target-error 1").code, 2);
+  EXPECT_EQ(run("--help").code, 0);
+  EXPECT_THAT(run("--version").output, HasSubstr("foramen "));
+}
+
+TEST_F(Cli, WhatIsNotThereIsNamed) {
+  const Outcome missing = run("build /no/such/folder -o " + (folder() / "m").string());
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_THAT(missing.output, HasSubstr("/no/such/folder"));
+  EXPECT_EQ(run("compare /no/a /no/b").code, 1);
+  EXPECT_EQ(run("sample /no/model -o " + (folder() / "s").string()).code, 1);
+}
+
+TEST_F(Cli, InspectGivesAVerdictAFile) {
+  const fs::path file = *fs::directory_iterator(synth() / "shapes");
+  const Outcome good = run("inspect --json " + file.string());
+  EXPECT_EQ(good.code, 0);
+  const auto report = nlohmann::json::parse(good.output).at("files").at(0);
+  EXPECT_EQ(report.at("genus"), 1);
+  EXPECT_EQ(report.at("usable"), true);
+
+  TriangleSoup open = testing::torus_soup(12, 9);
+  open.triangles.pop_back();
+  const fs::path broken = folder() / "open.ply";
+  write_ply(broken, open);
+  const Outcome refused = run("inspect " + broken.string());
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("NOT USABLE"));
+}
+
+TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
+  const fs::path one = folder() / "one", two = folder() / "two", again = folder() / "again";
+  const std::string shapes = (synth() / "shapes").string();
+  const Outcome built = run(small_build("--threads 1 " + shapes + " -o " + one.string()));
+  ASSERT_EQ(built.code, 0) << built.output;
+  ASSERT_EQ(run(small_build("--threads 2 " + shapes + " -o " + two.string())).code, 0);
+  ASSERT_EQ(run(small_build("--threads 2 " + shapes + " -o " + again.string())).code, 0);
+  const auto files = files_of(one);
+  for (const char* name : {"model.h5", "mean.ply", "corresponding/synth001.ply", "corresponding/synth004.ply",
+                           "modes/mode01_minus2sd.ply", "modes/mode01_plus2sd.ply", "atlas.h5", "scores.csv", "metrics.json",
+                           "metrics.csv", "report.html"})
+    EXPECT_TRUE(files.contains(name)) << name;
+  for (const auto& [name, bytes] : files) {
+    EXPECT_TRUE(files_of(two).at(name) == bytes) << name << " differs between 1 and 2 threads";
+    EXPECT_TRUE(files_of(again).at(name) == bytes) << name << " differs from run to run";
+  }
+  const auto record = nlohmann::json::parse(contents(one / "run.json"));
+  EXPECT_EQ(record.at("shapes").size(), 4u);
+  for (const auto& shape : record.at("shapes")) EXPECT_EQ(shape.at("certificate").at("flipped"), 0);
+
+  EXPECT_EQ(run("sample " + one.string() + " -n 3 -o " + (folder() / "samples").string()).code, 0);
+  EXPECT_EQ(files_of(folder() / "samples").size(), 3u);
+  EXPECT_EQ(run("modes " + one.string() + " --sd 3 -o " + (folder() / "modes").string()).code, 0);
+  EXPECT_TRUE(fs::exists(folder() / "modes" / "mode01_plus3sd.ply"));
+  EXPECT_EQ(run("evaluate " + one.string() + " --samples 10 --shapes " + shapes + " --truth " +
+                (synth() / "truth").string()).code, 0);
+  const Outcome compared =
+      run("compare " + one.string() + " " + two.string() + " -o " + (folder() / "compare").string());
+  EXPECT_EQ(compared.code, 0);
+  EXPECT_THAT(compared.output, HasSubstr("Specificity"));
+  EXPECT_TRUE(fs::exists(folder() / "compare" / "specificity.svg"));
+}
+
+TEST_F(Cli, ABadShapeIsLeftOutAndNamedAndStrictRefuses) {
+  const fs::path mixed = folder() / "mixed";
+  fs::create_directories(mixed);
+  fs::copy(synth() / "shapes", mixed);
+  TriangleSoup open = testing::torus_soup(12, 9);
+  open.triangles.pop_back();
+  write_ply(mixed / "open.ply", open);
+  std::ofstream(mixed / "empty.ply");
+  const std::string arguments = "build --landmarks 400 --samples 5 " + mixed.string() + " -o " + (folder() / "m").string();
+  const Outcome lenient = run(arguments);
+  EXPECT_EQ(lenient.code, 0) << lenient.output;
+  EXPECT_THAT(lenient.output, HasSubstr("left out open.ply"));
+  EXPECT_THAT(lenient.output, HasSubstr("left out empty.ply"));
+  EXPECT_EQ(run(arguments + " --strict").code, 1);
+}
+
+TEST_F(Cli, FewerThanThreeShapesAreRefused) {
+  const std::string shapes = (synth() / "shapes").string();
+  const Outcome two = run(small_build(shapes + "/synth001.ply " + shapes + "/synth002.ply -o " + (folder() / "m2").string()));
+  EXPECT_EQ(two.code, 1);
+  EXPECT_THAT(two.output, HasSubstr("at least 3"));
+}
+
+TEST_F(Cli, WrongUnitsAreRefusedWithTheLikelyOne) {
+  const fs::path metres = folder() / "metres";
+  fs::create_directories(metres);
+  for (const auto& entry : fs::directory_iterator(synth() / "shapes")) {
+    TriangleSoup soup = read_mesh(entry.path()).soup;
+    for (Vec3& p : soup.points) p /= 1000;
+    write_ply(metres / entry.path().filename(), soup);
+  }
+  const Outcome refused = run(small_build(metres.string() + " -o " + (folder() / "m3").string()));
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("--units m"));
+}
+
+}  // namespace
+}  // namespace foramen

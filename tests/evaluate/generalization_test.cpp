@@ -1,0 +1,166 @@
+#include "foramen/evaluate/generalization.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "foramen/core/error.hpp"
+#include "foramen/spatial/surface_distance.hpp"
+#include "support/torus_cohort.hpp"
+
+namespace foramen {
+namespace {
+
+using testing::torus_cohort;
+
+const GeneralizationOptions by_shape{.samples = 300, .seed = 2};
+const GeneralizationOptions by_subject{.leave_out = LeaveOut::subject, .samples = 300, .seed = 2};
+
+std::vector<double> flat(const Generalization& g) {
+  std::vector<double> numbers;
+  for (const ErrorsAtModes& e : g.by_modes)
+    for (const ShapeError& item : e.items)
+      numbers.insert(numbers.end(), {item.hausdorff, item.mean_surface, item.landmark_rms});
+  return numbers;
+}
+
+/// The error of one shape by a model of others, step by step as it is defined.
+ShapeError by_definition(const CorrespondingCohort& cohort, std::size_t shape,
+                         const std::vector<std::size_t>& others, int modes, ScaleMode scale) {
+  std::vector<std::vector<Vec3>> training;
+  for (const std::size_t o : others) training.push_back(cohort.corresponding[o]);
+  const ProcrustesResult aligned = procrustes(training, scale);
+  const ShapeModel model = build_shape_model(aligned.aligned, cohort.triangles);
+  const SimilarityTransform motion = align_to_mean(cohort.corresponding[shape], aligned, scale);
+  std::vector<Vec3> moved;
+  for (const Vec3& p : cohort.corresponding[shape]) moved.push_back(motion(p));
+  const Eigen::VectorXd x = flattened(moved), fit = model.reconstruct(model.scores(x, modes));
+  const SurfaceDistance d =
+      surface_distance(TriangleTree(build_mesh({unflattened(fit), cohort.triangles})),
+                       TriangleTree(transformed(cohort.inputs[shape], motion)), {.samples = 300, .seed = 2});
+  return {d.hausdorff, d.mean, std::sqrt((fit - x).squaredNorm() / model.landmarks())};
+}
+
+void expect_same(const ShapeError& a, const ShapeError& b) {
+  EXPECT_NEAR(a.hausdorff, b.hausdorff, 1e-12);
+  EXPECT_NEAR(a.mean_surface, b.mean_surface, 1e-12);
+  EXPECT_NEAR(a.landmark_rms, b.landmark_rms, 1e-12);
+}
+
+TEST(Generalization, LeavesEachShapeOut) {
+  const CorrespondingCohort cohort = torus_cohort({.shapes = 5});
+  for (const ScaleMode scale : {ScaleMode::keep, ScaleMode::remove}) {
+    GeneralizationOptions options = by_shape;
+    options.scale = scale;
+    const Generalization g = generalization(cohort, options, RunContext(2));
+    EXPECT_EQ(g.groups, 5);
+    ASSERT_EQ(g.by_modes.size(), 3u);  // 1 .. n - 2
+    for (std::size_t i = 0; i < 5; ++i) {
+      std::vector<std::size_t> others;
+      for (std::size_t o = 0; o < 5; ++o)
+        if (o != i) others.push_back(o);
+      for (int m = 1; m <= 3; ++m)
+        expect_same(g.by_modes[static_cast<std::size_t>(m - 1)].items[i],
+                    by_definition(cohort, i, others, m, scale));
+    }
+  }
+}
+
+TEST(Generalization, LeavesEachSubjectOut) {
+  CorrespondingCohort cohort = torus_cohort({.shapes = 6});
+  cohort.subjects = {"b", "a", "b", "c", "a", "b"};
+  const Generalization g = generalization(cohort, by_subject, RunContext(2));
+  EXPECT_EQ(g.groups, 3);
+  ASSERT_EQ(g.by_modes.size(), 2u);  // b leaves 3 shapes, which have 2 modes
+  for (std::size_t i = 0; i < 6; ++i) {
+    std::vector<std::size_t> others;
+    for (std::size_t o = 0; o < 6; ++o)
+      if (cohort.subjects[o] != cohort.subjects[i]) others.push_back(o);
+    expect_same(g.by_modes[1].items[i], by_definition(cohort, i, others, 2, ScaleMode::keep));
+  }
+}
+
+TEST(Generalization, AShapeSeenInAnotherOfItsSubjectIsNotSeenInThisForm) {
+  // Twins: without one shape its twin still shows it to the model; without the subject nobody does.
+  CorrespondingCohort cohort = torus_cohort({.shapes = 8});
+  for (std::size_t i = 0; i < 8; i += 2) {
+    cohort.corresponding[i + 1] = cohort.corresponding[i];
+    cohort.inputs[i + 1] = cohort.inputs[i];
+    cohort.subjects[i] = cohort.subjects[i + 1] = "pair " + std::to_string(i);
+  }
+  const Generalization shape = generalization(cohort, by_shape, RunContext(1));
+  const Generalization subject = generalization(cohort, by_subject, RunContext(1));
+  EXPECT_LT(shape.by_modes[4].landmark_rms.mean, 1e-6);
+  EXPECT_GT(subject.by_modes.back().landmark_rms.mean, 0.5);
+}
+
+TEST(Generalization, AOneModeFamilyIsDescribedByOneMode) {
+  CorrespondingCohort cohort = torus_cohort({.shapes = 6});
+  // Stretched along the axis: x_s = x + s y, symmetric under the rotations that alignment might choose.
+  const TriangleSoup base = testing::torus_soup(20, 8, 30, 10);
+  cohort.triangles = base.triangles;
+  for (std::size_t s = 0; s < 6; ++s) {
+    cohort.corresponding[s] = base.points;
+    for (Vec3& p : cohort.corresponding[s]) p.z() *= 1 + 0.1 * static_cast<double>(s);
+    cohort.inputs[s] = build_mesh({cohort.corresponding[s], base.triangles});
+  }
+  const Generalization g = generalization(cohort, by_shape, RunContext(1));
+  for (const ErrorsAtModes& e : g.by_modes) {  // also beyond the one mode that there is
+    EXPECT_LT(e.hausdorff.mean, 1e-9);
+    EXPECT_LT(e.mean_surface.mean, 1e-9);
+    EXPECT_LT(e.landmark_rms.mean, 1e-9);
+  }
+}
+
+TEST(Generalization, LandmarkErrorFallsWithModesAndEstimatesAreOverShapes) {
+  const Generalization g = generalization(torus_cohort({.shapes = 7}), by_shape, RunContext(2));
+  for (std::size_t k = 0; k < g.by_modes.size(); ++k) {
+    const ErrorsAtModes& e = g.by_modes[k];
+    double sum = 0, squares = 0;
+    for (const ShapeError& item : e.items) sum += item.mean_surface / 7;
+    for (const ShapeError& item : e.items) squares += (item.mean_surface - sum) * (item.mean_surface - sum);
+    EXPECT_NEAR(e.mean_surface.mean, sum, 1e-12);
+    EXPECT_NEAR(e.mean_surface.standard_error, std::sqrt(squares / 6 / 7), 1e-12);
+    for (std::size_t i = 0; k > 0 && i < 7; ++i)
+      EXPECT_LE(e.items[i].landmark_rms, g.by_modes[k - 1].items[i].landmark_rms + 1e-12);
+  }
+}
+
+TEST(Generalization, MovingTheInputsWithTheirLandmarksChangesNothing) {
+  CorrespondingCohort cohort = torus_cohort({.shapes = 4});
+  const Generalization before = generalization(cohort, by_shape, RunContext(1));
+  for (std::size_t s = 0; s < 4; ++s) {
+    Rng rng(100 + s);
+    const RigidTransform pose = testing::random_pose(rng);
+    cohort.corresponding[s] = transformed(cohort.corresponding[s], pose);
+    cohort.inputs[s] = transformed(cohort.inputs[s], pose);
+  }
+  const Generalization after = generalization(cohort, by_shape, RunContext(1));
+  const auto a = flat(before), b = flat(after);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-6);
+}
+
+TEST(Generalization, ThreadsChangeNothing) {
+  const CorrespondingCohort cohort = torus_cohort({.shapes = 6});
+  EXPECT_EQ(flat(generalization(cohort, by_subject, RunContext(1))),
+            flat(generalization(cohort, by_subject, RunContext(3))));
+}
+
+TEST(Generalization, RefusesWhatCannotBeLeftOut) {
+  CorrespondingCohort cohort = torus_cohort({.shapes = 4});
+  cohort.subjects = {"a", "a", "a", "b"};
+  EXPECT_THROW(generalization(cohort, by_subject, RunContext(1)), InvalidInput);
+  cohort.subjects.clear();
+  EXPECT_THROW(generalization(cohort, by_subject, RunContext(1)), InvalidInput);
+  EXPECT_NO_THROW(generalization(cohort, by_shape, RunContext(1)));
+  GeneralizationOptions none = by_shape;
+  none.samples = 0;
+  EXPECT_THROW(generalization(cohort, none, RunContext(1)), InvalidInput);
+  EXPECT_THROW(generalization(torus_cohort({.shapes = 2}), by_shape, RunContext(1)), InvalidInput);
+}
+
+}  // namespace
+}  // namespace foramen

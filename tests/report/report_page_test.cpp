@@ -1,0 +1,60 @@
+#include "foramen/report/report_page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "report/html_text.hpp"
+
+namespace foramen {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Base64, TestVectorsOfRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+}
+
+TEST(ReportPage, TextFromFilesCannotBecomeMarkup) {
+  ReportPage page{"<script>1</script>", "a & b", {}};
+  page.sections.push_back({"s\"", {"<img>"}, {{"t", "", {"h"}, {{"<b>"}}}}, {}, {}});
+  const std::string html = report_html(page);
+  EXPECT_THAT(html, Not(HasSubstr("<script>")));
+  EXPECT_THAT(html, Not(HasSubstr("<b>")));
+  EXPECT_THAT(html, HasSubstr("&lt;img&gt;"));
+  EXPECT_THAT(html, HasSubstr("a &amp; b"));
+}
+
+TEST(ReportPage, LoadsNothingFromElsewhere) {
+  ReportPage page{"t", "", {{"s", {}, {}, {}, {{"picture", "png"}}}}};
+  const std::string html = report_html(page);
+  for (const char* outside : {"src=\"http", "href=\"http", "@import", "url("}) EXPECT_THAT(html, Not(HasSubstr(outside)));
+  EXPECT_THAT(html, HasSubstr("data:image/png;base64,cG5n"));
+}
+
+// The vertical place of the n-th circle of a chart.
+double circle_y(const std::string& svg, int n) {
+  std::size_t at = 0;
+  for (int i = 0; i <= n; ++i) at = svg.find("<circle", at + 1);
+  return std::stod(svg.substr(svg.find("cy=\"", at) + 4));
+}
+
+TEST(SvgChart, PlacesPointsByTheirValues) {
+  const std::string svg = svg_chart({"t", "modes", "mm", {{"a", {1, 2, 3}, {1.0, 2.0, 4.0}, {0.1, 0.1, 0.2}}}});
+  const double y1 = circle_y(svg, 0), y2 = circle_y(svg, 1), y3 = circle_y(svg, 2);
+  EXPECT_GT(y1, y2);
+  EXPECT_NEAR((y1 - y2) * 2, y2 - y3, 0.05);
+}
+
+TEST(SvgChart, AChartWithoutPointsIsStillAChart) {
+  EXPECT_THAT(svg_chart({"empty", "x", "y", {}}), HasSubstr("</svg>"));
+  EXPECT_THAT(svg_chart({"flat", "x", "y", {{"a", {1}, {0}, {}}}}), Not(HasSubstr("nan")));
+}
+
+}  // namespace
+}  // namespace foramen

@@ -1,0 +1,155 @@
+#include "foramen/spatial/flips.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "support/meshes.hpp"
+
+namespace foramen {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// A square of side `size` about the origin at height z, `cells` cells a side, facing up or down.
+TriangleSoup square(double size, int cells, double z, bool up) {
+  TriangleSoup soup;
+  for (int i = 0; i <= cells; ++i)
+    for (int j = 0; j <= cells; ++j)
+      soup.points.emplace_back(size * (i * 1.0 / cells - 0.5), size * (j * 1.0 / cells - 0.5), z);
+  const auto id = [&](int i, int j) { return i * (cells + 1) + j; };
+  const auto add = [&](int a, int b, int c) {
+    soup.triangles.push_back(up ? std::array{a, b, c} : std::array{a, c, b});
+  };
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      add(id(i, j), id(i + 1, j), id(i + 1, j + 1));
+      add(id(i, j), id(i + 1, j + 1), id(i, j + 1));
+    }
+  return soup;
+}
+
+// Both walls of a plate: the upper one at z = thickness / 2, facing up, the lower one facing down.
+Mesh plate(double size, int cells, double thickness) {
+  TriangleSoup soup = square(size, cells, thickness / 2, true);
+  const TriangleSoup lower = square(size, cells, -thickness / 2, false);
+  const int offset = static_cast<int>(soup.points.size());
+  soup.points.insert(soup.points.end(), lower.points.begin(), lower.points.end());
+  for (const auto& t : lower.triangles)
+    soup.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  return build_mesh(std::move(soup));
+}
+
+// A torus with vertex 0 pulled across the opposite side of its ring, so that triangles there turn over.
+Mesh folded_torus(const Mesh& torus) {
+  std::vector<Vec3> points(torus.positions().begin(), torus.positions().end());
+  const std::vector<HalfedgeId> fan = torus.fan(VertexId(0));
+  const Vec3 across = torus.position(torus.to(fan.front()));
+  points[0] += 1.6 * (across - points[0]);
+  return torus.with_positions(points);
+}
+
+TEST(SampledFlips, NoneOfASurfaceAgainstItself) {
+  const Mesh mesh = build_mesh(testing::bumpy_torus_soup(40, 20, 1));
+  const SampledFlips flips = sampled_flips(mesh, TriangleTree(mesh));
+  EXPECT_THAT(flips.plain, IsEmpty());
+  EXPECT_THAT(flips.confirmed, IsEmpty());
+  EXPECT_THAT(flips.degenerate, IsEmpty());
+}
+
+TEST(SampledFlips, AllOfASurfaceTurnedInsideOut) {
+  const Mesh mesh = build_mesh(testing::torus_soup(40, 20));
+  const SampledFlips flips = sampled_flips(reversed(mesh), TriangleTree(mesh));
+  EXPECT_EQ(flips.plain.size(), 1600u);
+  EXPECT_EQ(flips.confirmed.size(), 1600u);
+}
+
+TEST(SampledFlips, APlantedFoldIsCountedPlainAndConfirmed) {
+  const Mesh input = build_mesh(testing::torus_soup(80, 40)), folded = folded_torus(input);
+  // The oracle: a triangle of the fold whose normal turned away from what it was.
+  std::vector<FaceId> turned;
+  for (FaceId f : input.faces())
+    if (area_vector(input.triangle(f)).dot(area_vector(folded.triangle(f))) < 0) turned.push_back(f);
+  ASSERT_FALSE(turned.empty());
+  const SampledFlips flips = sampled_flips(folded, TriangleTree(input));
+  EXPECT_EQ(flips.plain, turned);
+  EXPECT_EQ(flips.confirmed, turned);
+}
+
+TEST(SampledFlips, OnAThinWallPlainFlipsAreNotConfirmed) {
+  // Landmark triangles of edges about 1 mm that belong to the upper wall, but lie a little nearer to the
+  // lower one.
+  const TriangleTree thin(plate(20, 40, 0.2));
+  const Mesh between = build_mesh(square(8, 8, -0.05, true));
+  const SampledFlips flips = sampled_flips(between, thin);
+  EXPECT_EQ(flips.plain.size(), static_cast<std::size_t>(between.face_count()));
+  EXPECT_THAT(flips.confirmed, IsEmpty());
+  // The same on a thick plate is a flip: nothing within reach faces up.
+  const SampledFlips thick =
+      sampled_flips(build_mesh(square(8, 8, -1.05, true)), TriangleTree(plate(20, 40, 2.2)));
+  EXPECT_EQ(thick.confirmed.size(), static_cast<std::size_t>(between.face_count()));
+}
+
+TEST(SampledFlips, TheMarginIsAQuarterOfTheMeanLandmarkEdge) {
+  const Mesh landmarks = build_mesh(square(8, 8, -0.2, true));
+  const double margin = 0.25 * mean_edge_length(landmarks);
+  // Distance to the lower wall d, to the upper wall d + excess: confirmed when the excess is beyond the
+  // margin.
+  const auto confirmed = [&](double excess) {
+    const double d = 0.1, thickness = 2 * d + excess;
+    const Mesh moved =
+        transformed(landmarks, RigidTransform(Eigen::Translation3d(0, 0, 0.2 - thickness / 2 + d)));
+    return sampled_flips(moved, TriangleTree(plate(20, 40, thickness))).confirmed.size();
+  };
+  EXPECT_EQ(confirmed(0.98 * margin), 0u);
+  EXPECT_EQ(confirmed(1.02 * margin), static_cast<std::size_t>(landmarks.face_count()));
+}
+
+TEST(SampledFlips, TrianglesWithoutAreaAreDegenerateAndNothingElse) {
+  const Mesh input = build_mesh(testing::torus_soup(40, 20));
+  std::vector<Vec3> points(input.positions().begin(), input.positions().end());
+  const auto corners = input.corners(FaceId(7));
+  points[static_cast<std::size_t>(corners[0].index)] =
+      0.3 * input.position(corners[1]) + 0.7 * input.position(corners[2]);
+  const SampledFlips flips = sampled_flips(input.with_positions(points), TriangleTree(input));
+  EXPECT_THAT(flips.degenerate, ElementsAre(FaceId(7)));
+  EXPECT_THAT(flips.plain, Not(Contains(FaceId(7))));
+}
+
+TEST(SampledFlips, UnchangedByAMotionOfBoth) {
+  const Mesh input = build_mesh(testing::torus_soup(80, 40)), folded = folded_torus(input);
+  const RigidTransform motion =
+      Eigen::Translation3d(90, 10, -40) * Eigen::AngleAxisd(2, Vec3(0, 1, 3).normalized());
+  const SampledFlips here = sampled_flips(folded, TriangleTree(input));
+  const SampledFlips there =
+      sampled_flips(transformed(folded, motion), TriangleTree(transformed(input, motion)));
+  EXPECT_EQ(here.plain, there.plain);
+  EXPECT_EQ(here.confirmed, there.confirmed);
+}
+
+TEST(OpposingMean, CountsTurnedTrianglesWhateverThePose) {
+  const Mesh mean = build_mesh(testing::torus_soup(80, 40)), folded = folded_torus(mean);
+  int turned = 0;
+  for (FaceId f : mean.faces())
+    if (area_vector(mean.triangle(f)).dot(area_vector(folded.triangle(f))) < 0) ++turned;
+  ASSERT_GT(turned, 0);
+  const RigidTransform motion =
+      Eigen::Translation3d(90, 10, -40) * Eigen::AngleAxisd(3, Vec3(0, 1, 3).normalized());
+  EXPECT_EQ(opposing_mean(folded, mean), turned);
+  EXPECT_EQ(opposing_mean(transformed(folded, motion), mean), turned);
+  EXPECT_EQ(opposing_mean(transformed(mean, motion), mean), 0);
+}
+
+TEST(OpposingMean, RefusesOtherTriangles) {
+  EXPECT_THROW(opposing_mean(build_mesh(testing::torus_soup(10, 6)), build_mesh(testing::torus_soup(6, 10))),
+               InvalidInput);
+}
+
+}  // namespace
+}  // namespace foramen
