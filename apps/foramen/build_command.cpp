@@ -35,9 +35,11 @@ int build(const BuildCommand& command) {
 
 // The command as it is recorded: what decides the result, and nothing else.
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
-  static const std::vector<std::string> without{"--output", "--threads", "--json", "--quiet", "inputs", "--help"};
+  static const std::vector<std::string> without{"--output", "--threads", "--json",
+                                                "--quiet",  "inputs",    "--help"};
   std::string text = "foramen " + command.get_name();
-  for (const std::string& input : inputs) text += " " + fs::path(input).lexically_normal().filename().string();
+  for (const std::string& input : inputs)
+    text += " " + fs::path(input).lexically_normal().filename().string();
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_single_name();
     const std::string shown = option->get_lnames().empty() ? name : "--" + option->get_lnames().front();
@@ -57,9 +59,12 @@ void BuildFlags::add_to(CLI::App& command) {
   command.add_option("--reference", build.reference, "name of the reference shape, or auto");
   lambda_option = command.add_option("--lambda", lambda, "weight of distortion against correspondence")
                       ->check(CLI::PositiveNumber);
-  auto* count = command.add_option("--landmarks", build.landmarks, "number of landmarks (refinement may add 5 %)")
-                    ->check(CLI::Range(50, 200000));
-  command.add_option("--target-error", build.target_error_mm, "as few landmarks as represent the shapes this well [mm]")
+  auto* count =
+      command.add_option("--landmarks", build.landmarks, "number of landmarks (refinement may add 5 %)")
+          ->check(CLI::Range(50, 200000));
+  command
+      .add_option("--target-error", build.target_error_mm,
+                  "as few landmarks as represent the shapes this well [mm]")
       ->check(CLI::PositiveNumber)
       ->excludes(count);
   command.add_option("--samples", evaluation.draws, "random shapes for specificity")
@@ -67,13 +72,16 @@ void BuildFlags::add_to(CLI::App& command) {
   command.add_option("--seed", build.seed, "seed of all random numbers");
   command.add_option("--scale", build.scale, "keep or remove the shapes' size")
       ->transform(one_of<ScaleMode>({{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}}));
-  command.add_option("--subject-regex", subject_pattern, "the part of a file name that names its subject (first group, or all)");
+  command.add_option("--subject-regex", subject_pattern,
+                     "the part of a file name that names its subject (first group, or all)");
   command.add_flag("--paper", paper, "the paper's own choices throughout");
   map_option = command.add_option("--initial-map", initial_map, "first map of a shape")
-                   ->transform(one_of<InitialMap>({{"torus", InitialMap::torus}, {"rectangle", InitialMap::rectangle}}));
+                   ->transform(one_of<InitialMap>(
+                       {{"torus", InitialMap::torus}, {"rectangle", InitialMap::rectangle}}));
   optimiser_option =
       command.add_option("--optimiser", optimiser, "projected Newton, or the paper's node-wise descent")
-          ->transform(one_of<Optimiser>({{"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}}));
+          ->transform(one_of<Optimiser>(
+              {{"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}}));
 }
 
 BuildOptions BuildFlags::resolved() const {
@@ -88,7 +96,8 @@ BuildOptions BuildFlags::resolved() const {
 
 int finish_build(const BuildRequest& request, const Console& console, bool strict) {
   const BuildSummary summary = run_build(request, console.context());
-  for (const LeftOut& shape : summary.left_out) console.warn("left out " + shape.file_name + ": " + shape.reason);
+  for (const LeftOut& shape : summary.left_out)
+    console.warn("left out " + shape.file_name + ": " + shape.reason);
   for (const std::string& note : summary.notes) console.warn(note);
   if (console.json)
     std::cout << summary.json << '\n';
@@ -99,7 +108,8 @@ int finish_build(const BuildRequest& request, const Console& console, bool stric
 
 void add_build(CLI::App& program, Run& run) {
   auto options = std::make_shared<BuildCommand>();
-  CLI::App* command = program.add_subcommand("build", "a statistical shape model from surfaces, with its evaluation and report");
+  CLI::App* command = program.add_subcommand(
+      "build", "a statistical shape model from surfaces, with its evaluation and report");
   command->add_option("inputs", options->inputs, "mesh files or folders of them")->required();
   command->add_option("-o,--output", options->output, "folder of the model")->required();
   options->flags.add_to(*command);

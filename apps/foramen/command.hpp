@@ -23,7 +23,8 @@ struct Console {
   int threads = 0;
   std::string command;  ///< canonical: without -o, --threads, --json, --quiet, inputs by their base names
 
-  /// A context whose progress is shown as a bar on a terminal and as plain lines otherwise, and which Ctrl-C stops.
+  /// A context whose progress is shown as a bar on a terminal and as plain lines otherwise, and which Ctrl-C
+  /// stops.
   RunContext context() const;
   /// A line for the user unless quiet or json.
   void say(const std::string& line) const;

@@ -18,7 +18,8 @@ extern "C" void on_interrupt(int) {
   if (interruptible) interruptible->request_stop();
 }
 
-// Shows progress: redraws one line on a terminal, prints a line a stage (and every quarter of a long one) otherwise.
+// Shows progress: redraws one line on a terminal, prints a line a stage (and every quarter of a long one)
+// otherwise.
 class ProgressPrinter {
  public:
   void show(const Progress& progress) {

@@ -36,8 +36,8 @@ int demo(const DemoCommand& command) {
 
 void add_demo(CLI::App& program, Run& run) {
   auto options = std::make_shared<DemoCommand>();
-  CLI::App* command =
-      program.add_subcommand("demo", "a synthetic cohort, its model and report: needs no input, ends with the report's path");
+  CLI::App* command = program.add_subcommand(
+      "demo", "a synthetic cohort, its model and report: needs no input, ends with the report's path");
   command->add_option("-n,--shapes", options->synth.shapes, "number of shapes")->check(CLI::Range(3, 1000));
   options->flags.add_to(*command);
   command->add_option("-o,--output", options->output, "folder to write")->capture_default_str();

@@ -13,39 +13,43 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json as_json(const std::string& file, const MeshReport& r, const std::optional<AnatomicalSpace>& space) {
+ordered_json as_json(const std::string& file, const MeshReport& r,
+                     const std::optional<AnatomicalSpace>& space) {
   const auto obstacle = obstacle_to_model(r);
-  ordered_json out = {{"file", file},
-                      {"usable", !obstacle},
-                      {"vertices", r.vertices},
-                      {"triangles", r.triangles},
-                      {"edges", r.edges},
-                      {"closed", r.closed()},
-                      {"boundary_edges", r.boundary_edges},
-                      {"manifold", r.manifold()},
-                      {"non_manifold_edges", r.non_manifold_edges},
-                      {"non_manifold_vertices", r.non_manifold_vertices},
-                      {"oriented", r.oriented()},
-                      {"inward", r.inward},
-                      {"components", r.components},
-                      {"euler_number", r.euler_number},
-                      {"genus", r.genus ? ordered_json(*r.genus) : ordered_json()},
-                      {"degenerate_triangles", r.degenerate_triangles},
-                      {"duplicate_triangles", r.duplicate_triangles},
-                      {"duplicate_vertices", r.duplicate_vertices},
-                      {"invalid_triangles", r.invalid_triangles},
-                      {"non_finite_vertices", r.non_finite_vertices},
-                      {"unused_vertices", r.unused_vertices},
-                      {"bounding_box", {{r.box.low.x(), r.box.low.y(), r.box.low.z()},
-                                        {r.box.high.x(), r.box.high.y(), r.box.high.z()}}},
-                      {"diagonal", r.box.diagonal()},
-                      {"area", r.area},
-                      {"volume", r.volume},
-                      {"mean_edge", r.mean_edge}};
+  ordered_json out = {
+      {"file", file},
+      {"usable", !obstacle},
+      {"vertices", r.vertices},
+      {"triangles", r.triangles},
+      {"edges", r.edges},
+      {"closed", r.closed()},
+      {"boundary_edges", r.boundary_edges},
+      {"manifold", r.manifold()},
+      {"non_manifold_edges", r.non_manifold_edges},
+      {"non_manifold_vertices", r.non_manifold_vertices},
+      {"oriented", r.oriented()},
+      {"inward", r.inward},
+      {"components", r.components},
+      {"euler_number", r.euler_number},
+      {"genus", r.genus ? ordered_json(*r.genus) : ordered_json()},
+      {"degenerate_triangles", r.degenerate_triangles},
+      {"duplicate_triangles", r.duplicate_triangles},
+      {"duplicate_vertices", r.duplicate_vertices},
+      {"invalid_triangles", r.invalid_triangles},
+      {"non_finite_vertices", r.non_finite_vertices},
+      {"unused_vertices", r.unused_vertices},
+      {"bounding_box",
+       {{r.box.low.x(), r.box.low.y(), r.box.low.z()}, {r.box.high.x(), r.box.high.y(), r.box.high.z()}}},
+      {"diagonal", r.box.diagonal()},
+      {"area", r.area},
+      {"volume", r.volume},
+      {"mean_edge", r.mean_edge}};
   if (space) out["space"] = *space == AnatomicalSpace::lps ? "LPS" : "RAS";
   const auto likely = likely_unit(r.box.diagonal());
   const bool plausible = r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm;
-  out["likely_units"] = plausible ? ordered_json("mm") : likely ? ordered_json(name(*likely)) : ordered_json();
+  out["likely_units"] = plausible ? ordered_json("mm")
+                        : likely  ? ordered_json(name(*likely))
+                                  : ordered_json();
   if (obstacle) {
     out["finding"] = obstacle->finding;
     out["remedy"] = obstacle->remedy;
@@ -57,13 +61,13 @@ std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
 void print(const std::string& file, const MeshReport& r) {
   std::cout << file << '\n'
-            << "  vertices " << r.vertices << ", triangles " << r.triangles << ", edges " << r.edges << ", components "
-            << r.components << '\n'
+            << "  vertices " << r.vertices << ", triangles " << r.triangles << ", edges " << r.edges
+            << ", components " << r.components << '\n'
             << "  closed " << yes_no(r.closed()) << ", manifold " << yes_no(r.manifold()) << ", oriented "
             << yes_no(r.oriented()) << (r.inward ? " (inward)" : "") << ", Euler number " << r.euler_number
             << ", genus " << (r.genus ? std::to_string(*r.genus) : std::string("undefined")) << '\n'
-            << "  degenerate triangles " << r.degenerate_triangles << ", duplicate triangles " << r.duplicate_triangles
-            << ", duplicate vertices " << r.duplicate_vertices << '\n';
+            << "  degenerate triangles " << r.degenerate_triangles << ", duplicate triangles "
+            << r.duplicate_triangles << ", duplicate vertices " << r.duplicate_vertices << '\n';
   const Vec3 size = r.box.high - r.box.low;
   std::cout << "  size " << size.x() << " x " << size.y() << " x " << size.z();
   if (r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm)
@@ -112,7 +116,8 @@ int inspect(const InspectOptions& options) {
 
 void add_inspect(CLI::App& program, Run& run) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = program.add_subcommand("inspect", "topology and quality audit of surfaces, one verdict a file");
+  CLI::App* command =
+      program.add_subcommand("inspect", "topology and quality audit of surfaces, one verdict a file");
   command->add_option("files", options->files, "mesh files")->required();
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return inspect(*options); }; });

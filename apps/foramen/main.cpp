@@ -10,8 +10,9 @@ using namespace foramen;
 using namespace foramen::app;
 
 int run_program(int argc, char** argv) {
-  CLI::App program{"foramen: statistical shape models of vertebrae, automatically\n"
-                   "Example: foramen build shapes/ -o model"};
+  CLI::App program{
+      "foramen: statistical shape models of vertebrae, automatically\n"
+      "Example: foramen build shapes/ -o model"};
   program.set_version_flag("--version", "foramen " + version());
   program.require_subcommand(1);
   Run run;

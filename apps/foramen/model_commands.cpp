@@ -43,7 +43,8 @@ int sample(const ModelCommand& command) {
     ctx.step("sample", static_cast<double>(i) / command.count);
     Rng rng = root.fork(static_cast<std::uint64_t>(i));
     const Eigen::VectorXd shape = loaded.model.reconstruct(loaded.model.draw(rng));
-    write_ply(fs::path(command.output) / sample_name(i), {unflattened(shape), loaded.model.triangles()}, loaded.space);
+    write_ply(fs::path(command.output) / sample_name(i), {unflattened(shape), loaded.model.triangles()},
+              loaded.space);
   }
   tell_written(command, command.count);
   return ExitCode::done;
@@ -56,7 +57,8 @@ int modes(const ModelCommand& command) {
   return ExitCode::done;
 }
 
-CLI::App* add_model_command(CLI::App& program, const char* name, const char* what, const std::shared_ptr<ModelCommand>& options) {
+CLI::App* add_model_command(CLI::App& program, const char* name, const char* what,
+                            const std::shared_ptr<ModelCommand>& options) {
   CLI::App* command = program.add_subcommand(name, what);
   command->add_option("model", options->model, "folder of a model, or its model.h5")->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();
@@ -76,7 +78,8 @@ void add_sample(CLI::App& program, Run& run) {
 
 void add_modes(CLI::App& program, Run& run) {
   auto options = std::make_shared<ModelCommand>();
-  CLI::App* command = add_model_command(program, "modes", "the mean +- standard deviations along every mode", options);
+  CLI::App* command =
+      add_model_command(program, "modes", "the mean +- standard deviations along every mode", options);
   command->add_option("--sd", options->sd, "number of standard deviations")->check(CLI::PositiveNumber);
   command->callback([options, &run] { run = [options] { return modes(*options); }; });
 }

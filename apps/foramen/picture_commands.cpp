@@ -46,19 +46,25 @@ ReportPicture baseline_flips(const PictureCommand& command) {
       beside = {"this model:", {ours.shapes[i], ours.triangles}, flipped(ours, i)};
     }
   }
-  if (worst.name.empty()) throw InvalidInput(command.shapes + ": none of these surfaces is a shape of both models");
+  if (worst.name.empty())
+    throw InvalidInput(command.shapes + ": none of these surfaces is a shape of both models");
   return flips_picture({worst, beside});
 }
 
 int render(const PictureCommand& command) {
   if (!can_render())
-    throw Error("pictures need VTK in the build and a display: install libvtk9-dev, build again, and run under xvfb-run -a");
+    throw Error(
+        "pictures need VTK in the build and a display: install libvtk9-dev, build again, and run under "
+        "xvfb-run -a");
   const fs::path folder = command.output;
   fs::create_directories(folder);
   std::vector<std::pair<std::string, ReportPicture>> pictures;
-  const auto standard = model_pictures(read_atlas(fs::path(command.model) / "atlas.h5"), load_model(command.model).model);
+  const auto standard =
+      model_pictures(read_atlas(fs::path(command.model) / "atlas.h5"), load_model(command.model).model);
   for (std::size_t i = 0; i < standard.size(); ++i)
-    pictures.emplace_back(i == 0 ? "loops.png" : i == 1 ? "torus_map.png" : "mode" + std::to_string(i - 1) + ".png",
+    pictures.emplace_back(i == 0   ? "loops.png"
+                          : i == 1 ? "torus_map.png"
+                                   : "mode" + std::to_string(i - 1) + ".png",
                           standard[i]);
   if (!command.baseline.empty()) pictures.emplace_back("flips.png", baseline_flips(command));
   for (const auto& [name, picture] : pictures) {
@@ -69,7 +75,8 @@ int render(const PictureCommand& command) {
 }
 
 int report(const PictureCommand& command) {
-  const fs::path file = command.output.empty() ? fs::path(command.model) / "report.html" : fs::path(command.output);
+  const fs::path file =
+      command.output.empty() ? fs::path(command.model) / "report.html" : fs::path(command.output);
   write_file(file, model_page(command.model));
   command.console.say(file.string());
   return ExitCode::done;
@@ -80,11 +87,14 @@ int report(const PictureCommand& command) {
 void add_render(CLI::App& program, Run& run) {
   auto options = std::make_shared<PictureCommand>();
   CLI::App* command = program.add_subcommand(
-      "render", "pictures of a model: loops, torus map, modes, flips (under xvfb-run where there is no display)");
+      "render",
+      "pictures of a model: loops, torus map, modes, flips (under xvfb-run where there is no display)");
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();
-  auto* baseline = command->add_option("--baseline", options->baseline, "another model: flipped triangles of both side by side");
-  auto* shapes = command->add_option("--shapes", options->shapes, "folder of the input surfaces, for the flips");
+  auto* baseline = command->add_option("--baseline", options->baseline,
+                                       "another model: flipped triangles of both side by side");
+  auto* shapes =
+      command->add_option("--shapes", options->shapes, "folder of the input surfaces, for the flips");
   baseline->needs(shapes);
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return render(*options); }; });

@@ -18,8 +18,10 @@ struct SynthCommand {
 int synth(const SynthCommand& command) {
   const auto shapes = synth_cohort(command.synth, command.console.context());
   write_synth_cohort(shapes, command.output);
-  command.console.say("wrote " + std::to_string(shapes.size()) + " shapes to " + command.output + "/shapes and their true "
-                      "correspondence to " + command.output + "/truth");
+  command.console.say("wrote " + std::to_string(shapes.size()) + " shapes to " + command.output +
+                      "/shapes and their true "
+                      "correspondence to " +
+                      command.output + "/truth");
   return ExitCode::done;
 }
 
@@ -34,7 +36,8 @@ void add_synth_options(CLI::App& command, SynthOptions& options) {
       ->check(CLI::Range(0.0, 20.0));
   command.add_option("--correlation", options.correlation_mm, "correlation length of the displacement [mm]")
       ->check(CLI::Range(5.0, 500.0));
-  command.add_option("--vertices", options.vertices, "vertices of a shape, about")->check(CLI::Range(500, 200000));
+  command.add_option("--vertices", options.vertices, "vertices of a shape, about")
+      ->check(CLI::Range(500, 200000));
 }
 
 std::string synth_name(int index) {

@@ -21,8 +21,8 @@ void check_soup(const TriangleSoup& soup) {
     const auto& t = soup.triangles[f];
     for (int corner : t)
       if (corner < 0 || corner >= n)
-        throw InvalidInput(triangle_name(f) + " uses vertex " + std::to_string(corner) + ", but there are only " +
-                           std::to_string(n) + " vertices");
+        throw InvalidInput(triangle_name(f) + " uses vertex " + std::to_string(corner) +
+                           ", but there are only " + std::to_string(n) + " vertices");
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
       throw InvalidInput(triangle_name(f) + " uses one vertex twice");
   }
@@ -56,7 +56,8 @@ Mesh build_mesh(TriangleSoup soup) {
   std::vector<std::pair<int, HalfedgeId>> first_of_edge;
   for (std::size_t i = 0; i < sorted.size();) {
     std::size_t end = i + 1;
-    while (end < sorted.size() && sorted[end].low == sorted[i].low && sorted[end].high == sorted[i].high) ++end;
+    while (end < sorted.size() && sorted[end].low == sorted[i].low && sorted[end].high == sorted[i].high)
+      ++end;
     const std::string edge = "edge " + std::to_string(sorted[i].low) + "-" + std::to_string(sorted[i].high);
     if (end - i > 2)
       throw TopologyError(edge + " belongs to " + std::to_string(end - i) + " triangles (not manifold)");
@@ -69,7 +70,8 @@ Mesh build_mesh(TriangleSoup soup) {
       c.closed = false;
     }
     for (std::size_t k = i; k < end; ++k)
-      c.halfedge_edge[static_cast<std::size_t>(sorted[k].halfedge)] = EdgeId(static_cast<int>(c.edge_halfedge.size()));
+      c.halfedge_edge[static_cast<std::size_t>(sorted[k].halfedge)] =
+          EdgeId(static_cast<int>(c.edge_halfedge.size()));
     c.edge_halfedge.push_back(HalfedgeId(sorted[i].halfedge));
     i = end;
   }
@@ -81,7 +83,8 @@ Mesh build_mesh(TriangleSoup soup) {
   for (std::size_t h = 0; h < halfedges; ++h) {
     const auto v = static_cast<std::size_t>(soup.triangles[h / 3][h % 3]);
     ++degree[v];
-    if (!c.vertex_halfedge[v].valid() || !c.twin[h].valid()) c.vertex_halfedge[v] = HalfedgeId(static_cast<int>(h));
+    if (!c.vertex_halfedge[v].valid() || !c.twin[h].valid())
+      c.vertex_halfedge[v] = HalfedgeId(static_cast<int>(h));
   }
   c.triangles = std::move(soup.triangles);
 

@@ -1,5 +1,6 @@
 #include "foramen/core/parallel.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <thread>
 #include <vector>
 #else
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -65,7 +67,8 @@ void parallel_for(int count, const RunContext& ctx, const std::function<void(int
     });
   for (auto& w : workers) w.join();
 #else
-  tbb::task_arena arena(ctx.threads());
+  // More threads than cores gain nothing, and TBB would warn about them.
+  tbb::task_arena arena(std::min(ctx.threads(), tbb::info::default_concurrency()));
   arena.execute([&] { tbb::parallel_for(0, count, [&](int i) { first_error.run(i, checked); }); });
 #endif
   first_error.rethrow();

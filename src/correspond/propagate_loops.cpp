@@ -61,7 +61,8 @@ EdgeMap<double> loop_edge_costs(const Mesh& aligned_shape, const ReferenceLoops&
   EdgeMap<double> costs(aligned_shape.edge_count(), 0.0);
   for (EdgeId e : aligned_shape.edges()) {
     const HalfedgeId h = aligned_shape.halfedge(e);
-    const double mean = 0.5 * (distance[aligned_shape.from(h)] + distance[aligned_shape.to(h)]);  // [becker2011 Eq. 3]
+    const double mean =
+        0.5 * (distance[aligned_shape.from(h)] + distance[aligned_shape.to(h)]);  // [becker2011 Eq. 3]
     costs[e] = cost == EdgeCost::paper ? mean : (mean + smallest_distance_mm) * edge_length(aligned_shape, e);
   }
   return costs;

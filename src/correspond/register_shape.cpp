@@ -39,9 +39,10 @@ NamedMap first_map(const Mesh& aligned, const ReferenceLoops& reference, const R
   return named;
 }
 
-// Moves the whole map so that, on average, nearest neighbours have the same torus coordinates: the area-weighted
-// circular mean of their differences.
-TorusMap translated_onto(TorusMap map, const Mesh& aligned, const Mesh& reference, const TorusMap& reference_map) {
+// Moves the whole map so that, on average, nearest neighbours have the same torus coordinates: the
+// area-weighted circular mean of their differences.
+TorusMap translated_onto(TorusMap map, const Mesh& aligned, const Mesh& reference,
+                         const TorusMap& reference_map) {
   const auto normals = vertex_normals(aligned), reference_normals = vertex_normals(reference);
   const OrientedPointIndex index(reference.positions(), reference_normals.values(), normal_weight_mm);
   const auto areas = vertex_areas(aligned);
@@ -52,7 +53,8 @@ TorusMap translated_onto(TorusMap map, const Mesh& aligned, const Mesh& referenc
     cosine += areas[v] * difference.array().cos().matrix();
     sine += areas[v] * difference.array().sin().matrix();
   }
-  const Vec2 shift = Vec2(std::atan2(sine.x(), cosine.x()), std::atan2(sine.y(), cosine.y())) / (2 * std::numbers::pi);
+  const Vec2 shift =
+      Vec2(std::atan2(sine.x(), cosine.x()), std::atan2(sine.y(), cosine.y())) / (2 * std::numbers::pi);
   for (Vec2& p : map.turns) p += shift;
   return map;
 }
@@ -103,7 +105,8 @@ Reference map_reference(const Mesh& mesh, const RunContext& ctx, const RegisterO
   Reference reference{find_reference_loops(mesh, ctx), {}};
   const WorkingMesh working = simplify(mesh, ctx, {.target_vertices = options.working_vertices});
   OptimiseMapOptions free_lattice = optimise_options(options);
-  free_lattice.free_lattice = options.optimiser == Optimiser::newton;  // node-wise descent keeps the unit square
+  free_lattice.free_lattice =
+      options.optimiser == Optimiser::newton;  // node-wise descent keeps the unit square
   const OptimisedMap coarse =
       optimise_map(working.mesh, first_map(working.mesh, reference.loops, options).map, ctx, free_lattice);
   require_converged(coarse, "working");
@@ -132,14 +135,15 @@ RegisteredShape register_shape(const Mesh& shape, const Reference& reference, co
   const OptimisedMap coarse = optimise_map(working.mesh, start, ctx, optimise_options(options), &pull);
   require_converged(coarse, "working");
   const SoftNeighbours full_pull(aligned, reference.mesh(), reference_map, options.neighbours);
-  const OptimisedMap full =
-      optimise_map(aligned, refine_map(aligned, working, coarse.map), ctx, optimise_options(options), &full_pull);
+  const OptimisedMap full = optimise_map(aligned, refine_map(aligned, working, coarse.map), ctx,
+                                         optimise_options(options), &full_pull);
   require_converged(full, "input");
   result.shape_map = certified(aligned, coarse, full);
 
   result.agreement = map_agreement(aligned, result.shape_map.map, reference.mesh(), reference_map);
   if (result.agreement.minCoeff() <= 0)
-    throw TopologyError("the map of this shape runs against the reference's (the loops' directions disagree)");
+    throw TopologyError(
+        "the map of this shape runs against the reference's (the loops' directions disagree)");
   return result;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double normal_weight_mm = 8.0;
 
-std::vector<std::vector<NearPoint>> neighbours(const Mesh& shape, const Mesh& reference, NeighbourSearch search,
-                                               int count) {
+std::vector<std::vector<NearPoint>> neighbours(const Mesh& shape, const Mesh& reference,
+                                               NeighbourSearch search, int count) {
   std::vector<std::vector<NearPoint>> found;
   found.reserve(static_cast<std::size_t>(shape.vertex_count()));
   if (search == NeighbourSearch::points) {
@@ -30,8 +30,8 @@ std::vector<std::vector<NearPoint>> neighbours(const Mesh& shape, const Mesh& re
 
 }  // namespace
 
-SoftNeighbours::SoftNeighbours(const Mesh& aligned_shape, const Mesh& reference, const TorusMap& reference_map,
-                               const SoftNeighboursOptions& options)
+SoftNeighbours::SoftNeighbours(const Mesh& aligned_shape, const Mesh& reference,
+                               const TorusMap& reference_map, const SoftNeighboursOptions& options)
     : count_(std::min(options.count, reference.vertex_count())),
       squared_smoothing_(options.smoothing * options.smoothing),
       reducer_(reference_map.lattice) {
@@ -46,7 +46,8 @@ SoftNeighbours::SoftNeighbours(const Mesh& aligned_shape, const Mesh& reference,
     const double offset = options.weights == NeighbourWeights::relative ? closest : 0.0;
     double sum = 0;
     for (const NearPoint& n : near) {
-      const double w = std::exp(offset - (reference.position(VertexId(n.index)) - p).norm());  // [becker2011 Eq. 4]
+      const double w =
+          std::exp(offset - (reference.position(VertexId(n.index)) - p).norm());  // [becker2011 Eq. 4]
       targets_.push_back(reference_map.lattice * reference_map.turns[VertexId(n.index)]);
       weights_.push_back(w);
       sum += w;

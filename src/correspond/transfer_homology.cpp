@@ -43,7 +43,8 @@ std::array<Vec3, 2> gradients(const Mesh& mesh, const TorusMap& map, FaceId f) {
   const Vec2 along1 = map.turns[corners[1]] + map.jumps[h0].cast<double>() - map.turns[corners[0]];
   const Vec2 along2 = map.turns[corners[2]] - map.jumps[h2].cast<double>() - map.turns[corners[0]];
   const Vec3 e1 = t[1] - t[0], e2 = t[2] - t[0];
-  for (int c = 0; c < 2; ++c) out[c] = (along1[c] * e2.cross(doubled) + along2[c] * doubled.cross(e1)) / squared;
+  for (int c = 0; c < 2; ++c)
+    out[c] = (along1[c] * e2.cross(doubled) + along2[c] * doubled.cross(e1)) / squared;
   return out;
 }
 
@@ -65,7 +66,8 @@ std::array<VertexMap<Vec3>, 2> vertex_gradients(const Mesh& mesh, const TorusMap
 
 }  // namespace
 
-HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form, const ReferenceLoops& reference) {
+HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form,
+                                   const ReferenceLoops& reference) {
   const auto reference_normals = vertex_normals(reference.mesh);
   const auto normals = vertex_normals(aligned_shape);
   const OrientedPointIndex index(aligned_shape.positions(), normals.values(), normal_weight_mm);
@@ -80,8 +82,9 @@ HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& for
   }
   const int det = transfer.a(0, 0) * transfer.a(1, 1) - transfer.a(0, 1) * transfer.a(1, 0);
   if (std::abs(det) != 1)
-    throw TopologyError("the reference's loops could not be carried to this shape (their homology matrix has determinant " +
-                        std::to_string(det) + ", not +-1): the shape is probably misaligned or of another anatomy");
+    throw TopologyError(
+        "the reference's loops could not be carried to this shape (their homology matrix has determinant " +
+        std::to_string(det) + ", not +-1): the shape is probably misaligned or of another anatomy");
   return transfer;
 }
 

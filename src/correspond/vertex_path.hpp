@@ -6,8 +6,8 @@
 
 namespace foramen {
 
-/// Shortest paths between vertices that are close together: Dijkstra that stops at the target. Keeps its workspace
-/// from one query to the next.
+/// Shortest paths between vertices that are close together: Dijkstra that stops at the target. Keeps its
+/// workspace from one query to the next.
 class VertexPaths {
  public:
   VertexPaths(const Mesh& mesh, const EdgeMap<double>& lengths);

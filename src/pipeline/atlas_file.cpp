@@ -14,14 +14,16 @@ namespace {
 template <class Number, class Items>
 H5Matrix<Number> rows_of(const Items& items, std::size_t columns) {
   H5Matrix<Number> matrix{items.size(), columns, {}};
-  for (const auto& item : items) matrix.values.insert(matrix.values.end(), item.data(), item.data() + columns);
+  for (const auto& item : items)
+    matrix.values.insert(matrix.values.end(), item.data(), item.data() + columns);
   return matrix;
 }
 
 template <class Item, class Number>
 std::vector<Item> items_of(const H5Reader& file, const std::string& path, std::size_t columns) {
   const H5Matrix<Number> matrix = file.matrix<Number>(path);
-  if (matrix.cols != columns) file.refuse(path, std::to_string(matrix.cols) + " columns, not " + std::to_string(columns));
+  if (matrix.cols != columns)
+    file.refuse(path, std::to_string(matrix.cols) + " columns, not " + std::to_string(columns));
   std::vector<Item> items(matrix.rows);
   for (std::size_t i = 0; i < matrix.rows; ++i)
     for (std::size_t c = 0; c < columns; ++c) items[i][static_cast<int>(c)] = matrix.values[i * columns + c];
@@ -80,8 +82,8 @@ void write_atlas(const std::filesystem::path& path, const Atlas& atlas) {
 Atlas read_atlas(const std::filesystem::path& path) {
   const H5Reader file(path);
   Atlas atlas;
-  atlas.surface =
-      build_mesh({items_of<Vec3, double>(file, "/template/points", 3), triangles_of(file, "/template/triangles")});
+  atlas.surface = build_mesh(
+      {items_of<Vec3, double>(file, "/template/points", 3), triangles_of(file, "/template/triangles")});
   atlas.map.turns = VertexMap<Vec2>(items_of<Vec2, double>(file, "/template/turns", 2));
   require_count(file, "/template/turns", static_cast<std::size_t>(atlas.map.turns.size()),
                 static_cast<std::size_t>(atlas.surface.vertex_count()));

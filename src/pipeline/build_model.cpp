@@ -19,7 +19,9 @@ constexpr int fewest_shapes = 3;
 
 class Stopwatch {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -71,8 +73,8 @@ RegisteredShape only_aligned(const Mesh& shape, const Reference& reference, cons
 }
 
 // Registers every shape; those that fail are moved to the ones left out.
-void register_all(ModelBuild& build, std::vector<InputShape> inputs, int reference, const BuildOptions& options,
-                  const RunContext& ctx) {
+void register_all(ModelBuild& build, std::vector<InputShape> inputs, int reference,
+                  const BuildOptions& options, const RunContext& ctx) {
   std::vector<ShapeOutcome> outcomes(inputs.size());
   std::vector<std::string> failures(inputs.size());
   // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
@@ -89,7 +91,8 @@ void register_all(ModelBuild& build, std::vector<InputShape> inputs, int referen
       else if (options.method == Method::icp)
         outcome.registration = only_aligned(outcome.input.mesh, build.reference_map, single);
       else
-        outcome.registration = register_shape(outcome.input.mesh, build.reference_map, single, options.registration);
+        outcome.registration =
+            register_shape(outcome.input.mesh, build.reference_map, single, options.registration);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {

@@ -19,8 +19,8 @@ std::string folder_name(const fs::path& model) {
 }
 
 std::string padded(const std::string& text, std::size_t width) {
-  const auto letters = static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  const auto letters = static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
   return text + std::string(width > letters ? width - letters : 1, ' ');
 }
 
@@ -53,8 +53,10 @@ ReportTable single_figures(const std::vector<NamedEvaluation>& models) {
   add_row("conf.", [](const Evaluation& e) { return fixed(e.representation.confirmed_flips, 1); });
   add_row("opp.mean", [](const Evaluation& e) { return fixed(e.representation.opposing_mean, 1); });
   add_row("variance", [](const Evaluation& e) { return fixed(e.total_variance, 3); });
-  add_row("truth", [](const Evaluation& e) { return e.truth ? fixed(e.truth->error.mean, 3) : std::string("-"); });
-  add_row("truth95", [](const Evaluation& e) { return e.truth ? fixed(e.truth->error.p95, 3) : std::string("-"); });
+  add_row("truth",
+          [](const Evaluation& e) { return e.truth ? fixed(e.truth->error.mean, 3) : std::string("-"); });
+  add_row("truth95",
+          [](const Evaluation& e) { return e.truth ? fixed(e.truth->error.p95, 3) : std::string("-"); });
   return table;
 }
 
@@ -81,11 +83,14 @@ ModelComparison compare_models(const std::vector<fs::path>& models) {
   ModelComparison comparison;
   for (const ReportTable& table : tables) comparison.text += table_text(table);
   comparison.json = as_json(named, tables).dump(2);
-  ReportPage page{"Comparison of models", "", {{"Curves", {}, {}, charts, {}}, {"Figures", {}, tables, {}, {}}}};
-  for (const NamedEvaluation& model : named) page.subtitle += (page.subtitle.empty() ? "" : ", ") + model.name;
+  ReportPage page{
+      "Comparison of models", "", {{"Curves", {}, {}, charts, {}}, {"Figures", {}, tables, {}, {}}}};
+  for (const NamedEvaluation& model : named)
+    page.subtitle += (page.subtitle.empty() ? "" : ", ") + model.name;
   comparison.html = report_html(page);
-  const std::vector<std::string> files{"generalization.svg",      "specificity.svg", "generalization_mean.svg",
-                                       "specificity_mean.svg", "ensemble_generalization.svg", "compactness.svg"};
+  const std::vector<std::string> files{"generalization.svg",          "specificity.svg",
+                                       "generalization_mean.svg",     "specificity_mean.svg",
+                                       "ensemble_generalization.svg", "compactness.svg"};
   for (std::size_t i = 0; i < charts.size() && i < files.size(); ++i)
     comparison.charts.emplace_back(files[i], svg_chart(charts[i]));
   return comparison;

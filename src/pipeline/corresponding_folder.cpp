@@ -14,9 +14,11 @@ CorrespondingFolder read_corresponding(const std::filesystem::path& folder, Leng
     MeshFile read = read_mesh(file);
     if (result.names.empty()) {
       result.triangles = read.soup.triangles;
-    } else if (read.soup.triangles != result.triangles || read.soup.points.size() != result.shapes.front().size()) {
+    } else if (read.soup.triangles != result.triangles ||
+               read.soup.points.size() != result.shapes.front().size()) {
       throw InvalidInput(file.string() + ": has other triangles or another number of vertices than " +
-                         result.names.front() + "; corresponding meshes must have the same triangles in the same order");
+                         result.names.front() +
+                         "; corresponding meshes must have the same triangles in the same order");
     }
     for (Vec3& p : read.soup.points) p *= millimetres_per(unit);
     result.names.push_back(file.stem().string());

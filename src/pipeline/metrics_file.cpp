@@ -64,16 +64,19 @@ EvaluationOptions options_from(const ordered_json& j) {
 ordered_json compactness_json(const Evaluation& e) {
   ordered_json by_modes = ordered_json::array();
   for (const CompactnessAtModes& c : e.compactness)
-    by_modes.push_back({{"modes", c.modes}, {"variance_mm2", c.variance_per_landmark}, {"fraction", c.fraction}});
-  return {{"definition", "sum of the first M variances per landmark (divisor n - 1), and its share of the total"},
-          {"unit", "mm^2 per landmark"},
-          {"by_modes", by_modes}};
+    by_modes.push_back(
+        {{"modes", c.modes}, {"variance_mm2", c.variance_per_landmark}, {"fraction", c.fraction}});
+  return {
+      {"definition", "sum of the first M variances per landmark (divisor n - 1), and its share of the total"},
+      {"unit", "mm^2 per landmark"},
+      {"by_modes", by_modes}};
 }
 
 ordered_json generalization_json(const Generalization& g, const char* left_out) {
-  return {{"definition", std::string("leave one ") + left_out +
-                             " out: alignment and PCA redone without it, its reconstruction on M modes against the "
-                             "original input surface; mean over shapes, standard error s / sqrt(n)"},
+  return {{"definition",
+           std::string("leave one ") + left_out +
+               " out: alignment and PCA redone without it, its reconstruction on M modes against the "
+               "original input surface; mean over shapes, standard error s / sqrt(n)"},
           {"unit", "mm"},
           {"groups", g.groups},
           {"by_modes", to_json(g.by_modes)}};
@@ -81,7 +84,8 @@ ordered_json generalization_json(const Generalization& g, const char* left_out) 
 
 ordered_json specificity_json(const Evaluation& e) {
   return {{"definition",
-           "random shapes b_m ~ N(0, variance_m), m <= M; distance to the closest training input surface; mean over random shapes"},
+           "random shapes b_m ~ N(0, variance_m), m <= M; distance to the closest training input surface; "
+           "mean over random shapes"},
           {"unit", "mm"},
           {"by_modes", to_json(e.specificity.by_modes)}};
 }
@@ -93,8 +97,10 @@ ordered_json ensemble_json(const Evaluation& e) {
                         {"generalization_mm", to_json(m.generalization)},
                         {"specificity_mm", to_json(m.specificity)}});
   return {{"definition",
-           "the paper's ensemble form on the same random shapes: generalization, in-sample: mean over training shapes of the smallest "
-           "Hausdorff distance to a random shape; specificity: mean over random shapes of that to a training shape"},
+           "the paper's ensemble form on the same random shapes: generalization, in-sample: mean over "
+           "training shapes of the smallest "
+           "Hausdorff distance to a random shape; specificity: mean over random shapes of that to a training "
+           "shape"},
           {"unit", "mm"},
           {"by_modes", by_modes}};
 }
@@ -113,7 +119,8 @@ ordered_json representation_json(const Evaluation& e) {
                       {"degenerate", s.degenerate},
                       {"opposing_mean", s.opposing_mean}});
   }
-  return {{"definition", "surface distance of each corresponding mesh to its original input, and flipped triangles of it"},
+  return {{"definition",
+           "surface distance of each corresponding mesh to its original input, and flipped triangles of it"},
           {"unit", "mm; triangles"},
           {"mean_mm", to_json(r.mean_surface)},
           {"p95_mm", to_json(r.p95)},
@@ -143,7 +150,8 @@ Representation representation_from(const ordered_json& j) {
 
 ordered_json truth_json(const TruthError& t) {
   return {{"definition",
-           "landmark i of shape A, carried to shape B by the true map, to landmark i of B; over landmarks and ordered pairs"},
+           "landmark i of shape A, carried to shape B by the true map, to landmark i of B; over landmarks "
+           "and ordered pairs"},
           {"unit", "mm"},
           {"error", to_json(t.error)},
           {"floor", to_json(t.floor)},
@@ -162,7 +170,8 @@ Evaluation evaluation_from(const ordered_json& j) {
   const ordered_json& one = j.at("generalization");
   e.leave_one_out = {LeaveOut::shape, one.at("groups"), errors_from(one.at("by_modes"))};
   if (const ordered_json& subject = j.at("generalization_by_subject"); !subject.is_null())
-    e.leave_subject_out = Generalization{LeaveOut::subject, subject.at("groups"), errors_from(subject.at("by_modes"))};
+    e.leave_subject_out =
+        Generalization{LeaveOut::subject, subject.at("groups"), errors_from(subject.at("by_modes"))};
   e.specificity.by_modes = errors_from(j.at("specificity").at("by_modes"));
   for (const ordered_json& m : j.at("ensemble").at("by_modes"))
     e.ensemble.push_back(
@@ -177,11 +186,13 @@ Evaluation evaluation_from(const ordered_json& j) {
 // Rows of metrics.csv.
 class MetricRows {
  public:
-  void add(const std::string& item, const char* kind, int modes, const char* measure, double value, const char* unit) {
-    rows_.push_back({item, std::string(kind), static_cast<std::int64_t>(modes), std::string(measure), value, std::string(unit)});
+  void add(const std::string& item, const char* kind, int modes, const char* measure, double value,
+           const char* unit) {
+    rows_.push_back({item, std::string(kind), static_cast<std::int64_t>(modes), std::string(measure), value,
+                     std::string(unit)});
   }
-  void add(const std::vector<ErrorsAtModes>& by_modes, const std::vector<std::string>& items, const char* kind,
-           const std::string& measure) {
+  void add(const std::vector<ErrorsAtModes>& by_modes, const std::vector<std::string>& items,
+           const char* kind, const std::string& measure) {
     for (const ErrorsAtModes& e : by_modes)
       for (std::size_t i = 0; i < e.items.size(); ++i) {
         const std::string item = items.empty() ? std::to_string(i + 1) : items[i];
@@ -209,7 +220,8 @@ std::vector<Row> metric_rows(const Evaluation& e) {
     if (e.truth) rows.add(e.names[i], "shape", 0, "truth_error_mean", e.truth->mean_from_shape[i], "mm");
   }
   rows.add(e.leave_one_out.by_modes, e.names, "shape", "generalization");
-  if (e.leave_subject_out) rows.add(e.leave_subject_out->by_modes, e.names, "shape", "generalization_by_subject");
+  if (e.leave_subject_out)
+    rows.add(e.leave_subject_out->by_modes, e.names, "shape", "generalization_by_subject");
   rows.add(e.specificity.by_modes, {}, "draw", "specificity");
   return rows.rows();
 }
@@ -237,13 +249,15 @@ std::string metrics_json(const Evaluation& e) {
 
 void write_metrics(const std::filesystem::path& folder, const Evaluation& evaluation) {
   write_file(folder / "metrics.json", metrics_json(evaluation) + "\n");
-  write_csv(folder / "metrics.csv", {"item", "kind", "modes", "measure", "value", "unit"}, metric_rows(evaluation));
+  write_csv(folder / "metrics.csv", {"item", "kind", "modes", "measure", "value", "unit"},
+            metric_rows(evaluation));
 }
 
 Evaluation read_metrics(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "metrics.json";
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw IoError(file.string() + ": cannot be read; `foramen build` and `foramen evaluate -o` write it");
+  if (!in)
+    throw IoError(file.string() + ": cannot be read; `foramen build` and `foramen evaluate -o` write it");
   try {
     return evaluation_from(ordered_json::parse(in));
   } catch (const nlohmann::json::exception& e) {

@@ -69,7 +69,8 @@ LoadedModel load_model(const fs::path& path) {
   LoadedModel loaded;
   loaded.scores = std::move(read.scores);
   for (const std::string& uri : read.shape_uris) loaded.names.push_back(fs::path(uri).stem().string());
-  loaded.model = ShapeModel(std::move(read.mean), std::move(read.basis), std::move(read.variance), std::move(read.triangles));
+  loaded.model = ShapeModel(std::move(read.mean), std::move(read.basis), std::move(read.variance),
+                            std::move(read.triangles));
   const fs::path mean = file.parent_path() / "mean.ply";
   if (fs::exists(mean)) loaded.space = read_mesh(mean).space.value_or(AnatomicalSpace::lps);
   return loaded;
@@ -79,8 +80,9 @@ Eigen::MatrixXd training_scores(const ModelBuild& build) {
   const ShapeModel& model = build.model;
   Eigen::MatrixXd scores(model.modes(), static_cast<int>(build.shapes.size()));
   for (int i = 0; i < scores.cols(); ++i)
-    scores.col(i) = model.scores(flattened(build.procrustes.aligned[static_cast<std::size_t>(i)]), model.modes())
-                        .cwiseQuotient(model.variance().cwiseSqrt());
+    scores.col(i) =
+        model.scores(flattened(build.procrustes.aligned[static_cast<std::size_t>(i)]), model.modes())
+            .cwiseQuotient(model.variance().cwiseSqrt());
   return scores;
 }
 
@@ -88,10 +90,12 @@ void write_modes(const fs::path& folder, const ShapeModel& model, double sd, Ana
   fs::create_directories(folder);
   for (int m = 0; m < model.modes(); ++m)
     for (double sign : {-1.0, 1.0})
-      write_ply(folder / mode_file(m, sign * sd), {unflattened(model.along_mode(m, sign * sd)), model.triangles()}, space);
+      write_ply(folder / mode_file(m, sign * sd),
+                {unflattened(model.along_mode(m, sign * sd)), model.triangles()}, space);
 }
 
-void write_model_files(const fs::path& folder, const ModelBuild& build, const std::string& command, double millimetres) {
+void write_model_files(const fs::path& folder, const ModelBuild& build, const std::string& command,
+                       double millimetres) {
   const AnatomicalSpace space = build.shapes[static_cast<std::size_t>(build.reference)].input.space;
   fs::create_directories(folder / "corresponding");
   for (const ShapeOutcome& shape : build.shapes) {

@@ -32,20 +32,22 @@ std::string text_of(const ordered_json& value) {
 }
 
 ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) {
-  ReportTable table{"Shapes",
-                    "Distances of the corresponding mesh to the input surface, mm. Flipped triangles: of the map (exact), and of the "
-                    "sampled mesh, plain and confirmed. Distortion: area-weighted mean, 4 at best.",
-                    {"shape", "status", "mean", "p95", "Hausdorff", "flips in map", "plain", "confirmed", "distortion"},
-                    {}};
+  ReportTable table{
+      "Shapes",
+      "Distances of the corresponding mesh to the input surface, mm. Flipped triangles: of the map (exact), "
+      "and of the "
+      "sampled mesh, plain and confirmed. Distortion: area-weighted mean, 4 at best.",
+      {"shape", "status", "mean", "p95", "Hausdorff", "flips in map", "plain", "confirmed", "distortion"},
+      {}};
   std::size_t i = 0;
   for (const ordered_json& shape : run.at("shapes")) {
     if (!is_used(shape)) continue;
     const ShapeRepresentation& r = evaluation.representation.shapes.at(i++);
-    table.rows.push_back({shape.at("name").get<std::string>(), shape.at("status").get<std::string>(),
-                          fixed(r.distance.mean, 3), fixed(r.distance.p95, 3), fixed(r.distance.hausdorff, 2),
-                          text_of(shape.at("flips_in_map")), std::to_string(r.plain_flips),
-                          std::to_string(r.confirmed_flips),
-                          shape.contains("distortion") ? fixed(shape.at("distortion").get<double>(), 2) : "-"});
+    table.rows.push_back(
+        {shape.at("name").get<std::string>(), shape.at("status").get<std::string>(),
+         fixed(r.distance.mean, 3), fixed(r.distance.p95, 3), fixed(r.distance.hausdorff, 2),
+         text_of(shape.at("flips_in_map")), std::to_string(r.plain_flips), std::to_string(r.confirmed_flips),
+         shape.contains("distortion") ? fixed(shape.at("distortion").get<double>(), 2) : "-"});
   }
   return table;
 }
@@ -53,21 +55,24 @@ ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) 
 ReportTable left_out_table(const ordered_json& run) {
   ReportTable table{"Left out", "", {"shape", "reason"}, {}};
   for (const ordered_json& shape : run.at("shapes"))
-    if (!is_used(shape)) table.rows.push_back({shape.at("name").get<std::string>(), shape.at("reason").get<std::string>()});
+    if (!is_used(shape))
+      table.rows.push_back({shape.at("name").get<std::string>(), shape.at("reason").get<std::string>()});
   return table;
 }
 
 std::string flips_line(const ordered_json& run, const Evaluation& evaluation) {
   int map_flips = 0, plain = 0, confirmed = 0;
   for (const ordered_json& shape : run.at("shapes"))
-    if (is_used(shape) && !shape.at("flips_in_map").is_null()) map_flips += shape.at("flips_in_map").get<int>();
+    if (is_used(shape) && !shape.at("flips_in_map").is_null())
+      map_flips += shape.at("flips_in_map").get<int>();
   for (const ShapeRepresentation& r : evaluation.representation.shapes) {
     plain += r.plain_flips;
     confirmed += r.confirmed_flips;
   }
   const std::size_t triangles = evaluation.names.size() * run.at("landmark_triangles").get<std::size_t>();
   return "flipped triangles: " + std::to_string(map_flips) + " in the maps; " + std::to_string(confirmed) +
-         " confirmed and " + std::to_string(plain) + " plain of " + std::to_string(triangles) + " in the sampled meshes";
+         " confirmed and " + std::to_string(plain) + " plain of " + std::to_string(triangles) +
+         " in the sampled meshes";
 }
 
 std::string representation_line(const Evaluation& evaluation) {
@@ -83,8 +88,9 @@ std::string representation_line(const Evaluation& evaluation) {
 std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation& evaluation) {
   const std::size_t used = evaluation.names.size();
   std::vector<std::string> lines;
-  lines.push_back(std::to_string(used) + " of " + std::to_string(run.at("shapes").size()) + " shapes used, reference " +
-                  run.at("reference").get<std::string>() + ", " + std::to_string(evaluation.landmarks) + " landmarks (" +
+  lines.push_back(std::to_string(used) + " of " + std::to_string(run.at("shapes").size()) +
+                  " shapes used, reference " + run.at("reference").get<std::string>() + ", " +
+                  std::to_string(evaluation.landmarks) + " landmarks (" +
                   run.at("landmarks_inserted").dump() + " inserted by refinement), " +
                   std::to_string(evaluation.compactness.size()) + " modes");
   lines.push_back(flips_line(run, evaluation));
@@ -93,13 +99,14 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
     lines.push_back("generalization at " + std::to_string(g->modes) + " modes (leave one out): Hausdorff " +
                     fixed(g->hausdorff, 2) + " mm, mean surface " + fixed(g->mean_surface, 3) + " mm");
   if (const auto* s = at_quoted(evaluation.specificity.by_modes))
-    lines.push_back("specificity at " + std::to_string(s->modes) + " modes: Hausdorff " + fixed(s->hausdorff, 2) +
-                    " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
+    lines.push_back("specificity at " + std::to_string(s->modes) + " modes: Hausdorff " +
+                    fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
   lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) + " mm^2 a landmark");
   if (evaluation.truth)
     lines.push_back("truth error: mean " + fixed(evaluation.truth->error.mean, 2) + " mm, p95 " +
-                    fixed(evaluation.truth->error.p95, 2) + " mm, largest " + fixed(evaluation.truth->error.max, 2) +
-                    " mm (floor: mean " + fixed(evaluation.truth->floor.mean, 3) + " mm)");
+                    fixed(evaluation.truth->error.p95, 2) + " mm, largest " +
+                    fixed(evaluation.truth->error.max, 2) + " mm (floor: mean " +
+                    fixed(evaluation.truth->floor.mean, 3) + " mm)");
   return lines;
 }
 
@@ -111,8 +118,10 @@ ReportSection provenance(const ordered_json& run) {
     inputs.rows.push_back({input.at("file").get<std::string>(), input.at("sha256").get<std::string>()});
   return {"How it was made",
           {"foramen " + run.at("version").get<std::string>() + ": " + run.at("command").get<std::string>(),
-           "Method: M. Becker, M. Kirschner, S. Fuhrmann, S. Wesarg: Automatic Construction of Statistical Shape Models "
-           "for Vertebrae, MICCAI 2011. Measures: R. Davies, C. Twining, C. Taylor: Statistical Models of Shape, Springer 2008."},
+           "Method: M. Becker, M. Kirschner, S. Fuhrmann, S. Wesarg: Automatic Construction of Statistical "
+           "Shape Models "
+           "for Vertebrae, MICCAI 2011. Measures: R. Davies, C. Twining, C. Taylor: Statistical Models of "
+           "Shape, Springer 2008."},
           {options, inputs},
           {},
           {}};
@@ -120,21 +129,24 @@ ReportSection provenance(const ordered_json& run) {
 
 }  // namespace
 
-std::string model_page(const ordered_json& run, const Evaluation& evaluation, const Atlas& atlas, const ShapeModel& model) {
+std::string model_page(const ordered_json& run, const Evaluation& evaluation, const Atlas& atlas,
+                       const ShapeModel& model) {
   const std::vector<NamedEvaluation> curves{{text_of(run.at("options").at("method")), &evaluation}};
   ReportPage page{"Statistical shape model", std::to_string(evaluation.names.size()) + " vertebrae", {}};
   ReportSection summary{"Summary", summary_lines(run, evaluation), {shapes_table(run, evaluation)}, {}, {}};
-  if (ReportTable table = left_out_table(run); !table.rows.empty()) summary.tables.push_back(std::move(table));
+  if (ReportTable table = left_out_table(run); !table.rows.empty())
+    summary.tables.push_back(std::move(table));
   page.sections.push_back(std::move(summary));
   if (auto pictures = model_pictures(atlas, model); !pictures.empty())
     page.sections.push_back({"Pictures", {}, {}, {}, std::move(pictures)});
-  page.sections.push_back(
-      {"Evaluation",
-       {"Distances are measured to the original input surfaces. Bars are standard errors of the mean. Specificity alone "
-        "rewards a model that lost variance: read it beside the total variance and the representation error."},
-       {},
-       model_charts(curves),
-       {}});
+  page.sections.push_back({"Evaluation",
+                           {"Distances are measured to the original input surfaces. Bars are standard errors "
+                            "of the mean. Specificity alone "
+                            "rewards a model that lost variance: read it beside the total variance and the "
+                            "representation error."},
+                           {},
+                           model_charts(curves),
+                           {}});
   page.sections.push_back({"Figures", {}, model_tables(curves), {}, {}});
   page.sections.push_back(provenance(run));
   return report_html(page);

@@ -42,11 +42,14 @@ ReportPicture map_picture(const Atlas& atlas) {
   Scene checked;
   checked.surfaces.push_back(surface_of(soup, checkerboard(map.turns.values(), 24)));
   look(checked, soup.points, View::along_shortest);
-  return {"Its map to the flat torus (left; triangles that cross the cut are drawn where they begin), and a checkerboard of the torus on the surface",
-          render_png({torus_map_scene(soup, map.turns.values(), map.jumps.values(), map.lattice), checked}, 2)};
+  return {
+      "Its map to the flat torus (left; triangles that cross the cut are drawn where they begin), and a "
+      "checkerboard of the torus on the surface",
+      render_png({torus_map_scene(soup, map.turns.values(), map.jumps.values(), map.lattice), checked}, 2)};
 }
 
-Scene shape_scene(const ShapeModel& model, const Eigen::VectorXd& shape, std::span<const Vec3> mean, View view) {
+Scene shape_scene(const ShapeModel& model, const Eigen::VectorXd& shape, std::span<const Vec3> mean,
+                  View view) {
   Scene scene;
   scene.surfaces.push_back(surface_of({unflattened(shape), model.triangles()}));
   look(scene, mean, view);
@@ -68,7 +71,8 @@ ReportPicture mode_picture(const ShapeModel& model, int mode) {
 std::vector<ReportPicture> model_pictures(const Atlas& atlas, const ShapeModel& model) {
   if (!can_render()) return {};
   std::vector<ReportPicture> pictures{loops_picture(atlas), map_picture(atlas)};
-  for (int m = 0; m < std::min(pictured_modes, model.modes()); ++m) pictures.push_back(mode_picture(model, m));
+  for (int m = 0; m < std::min(pictured_modes, model.modes()); ++m)
+    pictures.push_back(mode_picture(model, m));
   return pictures;
 }
 
@@ -82,7 +86,8 @@ ReportPicture flips_picture(const std::vector<FlippedMesh>& meshes) {
       look(scene, meshes.front().soup.points, view);
       scenes.push_back(std::move(scene));
     }
-  for (const FlippedMesh& mesh : meshes) caption += " " + mesh.name + " " + std::to_string(mesh.flipped.size());
+  for (const FlippedMesh& mesh : meshes)
+    caption += " " + mesh.name + " " + std::to_string(mesh.flipped.size());
   return {caption, render_png(scenes, 2)};
 }
 

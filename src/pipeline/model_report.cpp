@@ -81,7 +81,8 @@ std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations)
 std::vector<ReportTable> model_tables(const std::vector<NamedEvaluation>& evaluations) {
   std::vector<ReportTable> tables;
   for (const Measure& measure : measures()) {
-    ReportTable table{measure.title, measure.y_label.empty() ? "" : "mean ± standard error, mm", {"modes"}, {}};
+    ReportTable table{
+        measure.title, measure.y_label.empty() ? "" : "mean ± standard error, mm", {"modes"}, {}};
     std::size_t longest = 0;
     std::vector<std::vector<CurvePoint>> columns;
     for (const NamedEvaluation& named : evaluations) {

@@ -11,8 +11,8 @@ struct NamedEvaluation {
   const Evaluation* evaluation = nullptr;
 };
 
-/// Generalization and specificity (Hausdorff and mean surface), compactness, and the paper's ensemble form, against the number of
-/// modes, with standard errors: one curve per evaluation.
+/// Generalization and specificity (Hausdorff and mean surface), compactness, and the paper's ensemble form,
+/// against the number of modes, with standard errors: one curve per evaluation.
 std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations);
 
 /// The figures of those charts as tables.

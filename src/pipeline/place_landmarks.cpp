@@ -44,8 +44,8 @@ std::vector<Vec3> lifted(const LiftingShape& shape, std::span<const Vec2> turns)
   return points;
 }
 
-std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& shapes, std::span<const Vec2> turns,
-                                             const RunContext& ctx) {
+std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& shapes,
+                                             std::span<const Vec2> turns, const RunContext& ctx) {
   std::vector<std::vector<Vec3>> all(shapes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
     all[static_cast<std::size_t>(i)] = lifted(shapes[static_cast<std::size_t>(i)], turns);
@@ -60,11 +60,12 @@ struct DenseMean {
   VertexMap<double> density;
 };
 
-DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lattice, const BuildOptions& options,
-                     const RunContext& ctx) {
+DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lattice,
+                     const BuildOptions& options, const RunContext& ctx) {
   const TorusGrid grid = make_torus_grid(lattice, options.grid_points);
   DenseMean mean;
-  mean.mesh = build_mesh({procrustes(lifted_to_all(shapes, grid.turns, ctx), options.scale).mean, grid.triangles});
+  mean.mesh =
+      build_mesh({procrustes(lifted_to_all(shapes, grid.turns, ctx), options.scale).mean, grid.triangles});
   mean.map = {lattice, VertexMap<Vec2>(grid.turns), grid.jumps};
   mean.density = curvature_density(mean.mesh, options.remeshing);
   return mean;
@@ -101,10 +102,12 @@ RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<Li
        count = static_cast<int>(landmark_growth * count)) {
     ctx.check();
     RefinedLandmarks refined = landmarks_on(mean, shapes, count, options, ctx);
-    if (mean_representation_error(refined.landmarks, shapes, options, ctx) <= *options.target_error_mm) return refined;
+    if (mean_representation_error(refined.landmarks, shapes, options, ctx) <= *options.target_error_mm)
+      return refined;
   }
-  throw ConvergenceError("--target-error " + std::to_string(*options.target_error_mm) + ": not reached with " +
-                         std::to_string(most_landmarks) + " landmarks; give a larger error");
+  throw ConvergenceError("--target-error " + std::to_string(*options.target_error_mm) +
+                         ": not reached with " + std::to_string(most_landmarks) +
+                         " landmarks; give a larger error");
 }
 
 }  // namespace
@@ -113,14 +116,16 @@ void place_landmarks(ModelBuild& build, const BuildOptions& options, const RunCo
   const auto shapes = lifting_shapes(build, ctx);
   const DenseMean mean = dense_mean(shapes, build.reference_map.shape_map.map.lattice, options, ctx);
   ctx.step("resample", 0.3);
-  RefinedLandmarks refined = options.target_error_mm ? landmarks_for_error(mean, shapes, options, ctx)
-                                                     : landmarks_on(mean, shapes, options.landmarks, options, ctx);
+  RefinedLandmarks refined = options.target_error_mm
+                                 ? landmarks_for_error(mean, shapes, options, ctx)
+                                 : landmarks_on(mean, shapes, options.landmarks, options, ctx);
   ctx.step("resample", 0.9);
   build.landmarks = std::move(refined.landmarks);
   build.inserted_landmarks = refined.inserted;
   build.remaining_flips = refined.remaining;
   auto lifted_landmarks = lifted_to_all(shapes, build.landmarks.turns, ctx);
-  for (std::size_t i = 0; i < build.shapes.size(); ++i) build.shapes[i].landmarks = std::move(lifted_landmarks[i]);
+  for (std::size_t i = 0; i < build.shapes.size(); ++i)
+    build.shapes[i].landmarks = std::move(lifted_landmarks[i]);
 }
 
 void place_landmarks_by_icp(ModelBuild& build, const BuildOptions& options, const RunContext& ctx) {

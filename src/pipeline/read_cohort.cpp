@@ -51,10 +51,13 @@ std::string millimetres(double value) {
 void require_plausible_size(double diagonal, LengthUnit unit) {
   const double mm = diagonal * millimetres_per(unit);
   if (mm >= smallest_diagonal_mm && mm <= largest_diagonal_mm) return;
-  std::string message = "the bounding box has a diagonal of " + millimetres(mm) + " mm; a vertebra has 20 to 250 mm";
+  std::string message =
+      "the bounding box has a diagonal of " + millimetres(mm) + " mm; a vertebra has 20 to 250 mm";
   if (const auto likely = likely_unit(diagonal))
-    message += ": the file is probably in " + std::string(name(*likely)) + ", give --units " + std::string(name(*likely));
-  else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm && diagonal <= largest_diagonal_mm)
+    message += ": the file is probably in " + std::string(name(*likely)) + ", give --units " +
+               std::string(name(*likely));
+  else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm &&
+           diagonal <= largest_diagonal_mm)
     message += ": the file is probably in mm, leave --units out";
   throw InvalidInput(message);
 }
@@ -79,8 +82,9 @@ std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
   files.erase(std::unique(files.begin(), files.end()), files.end());
   for (std::size_t i = 1; i < files.size(); ++i)
     if (files[i].stem() == files[i - 1].stem())
-      throw InvalidInput(files[i - 1].string() + " and " + files[i].string() +
-                         " have the same name without extension, which would name two shapes alike: rename one");
+      throw InvalidInput(
+          files[i - 1].string() + " and " + files[i].string() +
+          " have the same name without extension, which would name two shapes alike: rename one");
   return files;
 }
 

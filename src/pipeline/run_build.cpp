@@ -9,10 +9,10 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
+#include "foramen/pipeline/corresponding_folder.hpp"
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
-#include "foramen/pipeline/corresponding_folder.hpp"
 #include "pipeline/run_json.hpp"
 
 namespace foramen {
@@ -25,9 +25,11 @@ void prepare_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed || !fs::is_directory(folder))
-    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() + "); give another with -o");
+    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() +
+                  "); give another with -o");
   const fs::path probe = folder / ".foramen-write-test";
-  if (!std::ofstream(probe)) throw IoError(folder.string() + ": the folder cannot be written to; give another with -o");
+  if (!std::ofstream(probe))
+    throw IoError(folder.string() + ": the folder cannot be written to; give another with -o");
   fs::remove(probe, failed);
 }
 
@@ -61,10 +63,12 @@ CorrespondingCohort corresponding_cohort(const ModelBuild& build, const std::str
 std::vector<std::string> notes_on(const ModelBuild& build) {
   std::vector<std::string> notes;
   for (const ShapeOutcome& shape : build.shapes)
-    if (shape.input.was_inward) notes.push_back(shape.input.file_name + ": triangles were wound inward; reversed");
+    if (shape.input.was_inward)
+      notes.push_back(shape.input.file_name + ": triangles were wound inward; reversed");
   if (build.remaining_flips > 0)
     notes.push_back(std::to_string(build.remaining_flips) +
-                    " landmark triangles are flipped or degenerate on some shape and could not be mended within the budget of landmarks: "
+                    " landmark triangles are flipped or degenerate on some shape and could not be mended "
+                    "within the budget of landmarks: "
                     "give more with --landmarks");
   return notes;
 }

@@ -44,7 +44,8 @@ ordered_json shape_json(const ModelBuild& build, std::size_t i, const Evaluation
     out["landmarks_without_compatible_point"] = shape.unmatched;
   }
   const ShapeRepresentation& r = evaluation.representation.shapes[i];
-  out["flips_in_map"] = torus || is_reference ? ordered_json(registration.shape_map.certificate.flipped) : ordered_json();
+  out["flips_in_map"] =
+      torus || is_reference ? ordered_json(registration.shape_map.certificate.flipped) : ordered_json();
   out["flips_sampled_plain"] = r.plain_flips;
   out["flips_sampled_confirmed"] = r.confirmed_flips;
   out["triangles_opposing_mean"] = r.opposing_mean;
@@ -58,7 +59,8 @@ ordered_json inputs_json(const ModelBuild& build) {
                       {"sha256", shape.input.sha256},
                       {"vertices", shape.input.mesh.vertex_count()},
                       {"triangles", shape.input.mesh.face_count()}});
-  for (const LeftOut& shape : build.left_out) inputs.push_back({{"file", shape.file_name}, {"sha256", shape.sha256}});
+  for (const LeftOut& shape : build.left_out)
+    inputs.push_back({{"file", shape.file_name}, {"sha256", shape.sha256}});
   return inputs;
 }
 
@@ -72,30 +74,32 @@ double peak_memory_mb() {
 
 ordered_json options_json(const BuildOptions& options) {
   const RegisterOptions& r = options.registration;
-  return {{"method", options.method == Method::torus ? "torus" : "icp"},
-          {"reference", options.reference},
-          {"landmarks", options.landmarks},
-          {"target_error_mm", options.target_error_mm ? ordered_json(*options.target_error_mm) : ordered_json()},
-          {"scale", options.scale == ScaleMode::keep ? "keep" : "remove"},
-          {"seed", options.seed},
-          {"lambda", r.lambda},
-          {"weighting", r.weighting == Weighting::area ? "area" : "each"},
-          {"initial_map", r.initial_map == InitialMap::torus ? "torus" : "rectangle"},
-          {"optimiser", r.optimiser == Optimiser::newton ? "newton" : "polak-ribiere"},
-          {"edge_cost", r.edge_cost == EdgeCost::paper ? "paper" : "length_weighted"},
-          {"neighbours", r.neighbours.count},
-          {"neighbour_search", r.neighbours.search == NeighbourSearch::points ? "points" : "oriented_points"},
-          {"neighbour_weights", r.neighbours.weights == NeighbourWeights::absolute ? "absolute" : "relative"},
-          {"working_vertices", r.working_vertices},
-          {"relative_tolerance", r.relative_tolerance},
-          {"grid_points", options.grid_points}};
+  return {
+      {"method", options.method == Method::torus ? "torus" : "icp"},
+      {"reference", options.reference},
+      {"landmarks", options.landmarks},
+      {"target_error_mm", options.target_error_mm ? ordered_json(*options.target_error_mm) : ordered_json()},
+      {"scale", options.scale == ScaleMode::keep ? "keep" : "remove"},
+      {"seed", options.seed},
+      {"lambda", r.lambda},
+      {"weighting", r.weighting == Weighting::area ? "area" : "each"},
+      {"initial_map", r.initial_map == InitialMap::torus ? "torus" : "rectangle"},
+      {"optimiser", r.optimiser == Optimiser::newton ? "newton" : "polak-ribiere"},
+      {"edge_cost", r.edge_cost == EdgeCost::paper ? "paper" : "length_weighted"},
+      {"neighbours", r.neighbours.count},
+      {"neighbour_search", r.neighbours.search == NeighbourSearch::points ? "points" : "oriented_points"},
+      {"neighbour_weights", r.neighbours.weights == NeighbourWeights::absolute ? "absolute" : "relative"},
+      {"working_vertices", r.working_vertices},
+      {"relative_tolerance", r.relative_tolerance},
+      {"grid_points", options.grid_points}};
 }
 
-ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation, double seconds,
-                      int threads) {
+ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation,
+                      double seconds, int threads) {
   const bool torus = request.build.method == Method::torus;
   ordered_json shapes = ordered_json::array();
-  for (std::size_t i = 0; i < build.shapes.size(); ++i) shapes.push_back(shape_json(build, i, evaluation, torus));
+  for (std::size_t i = 0; i < build.shapes.size(); ++i)
+    shapes.push_back(shape_json(build, i, evaluation, torus));
   for (const LeftOut& shape : build.left_out)
     shapes.push_back({{"name", shape.stem}, {"status", "left out"}, {"reason", shape.reason}});
   ordered_json stages = ordered_json::object();

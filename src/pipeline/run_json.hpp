@@ -9,8 +9,8 @@
 namespace foramen {
 
 /// The record of a run: version, command, options, inputs, what became of each shape, times, memory.
-nlohmann::ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation,
-                                double seconds, int threads);
+nlohmann::ordered_json run_json(const BuildRequest& request, const ModelBuild& build,
+                                const Evaluation& evaluation, double seconds, int threads);
 
 /// A build's options by their command-line names.
 nlohmann::ordered_json options_json(const BuildOptions& options);

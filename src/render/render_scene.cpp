@@ -49,7 +49,9 @@ vtkNew<vtkUnsignedCharArray> colour_array(const std::vector<Colour>& colours) {
   return array;
 }
 
-void paint(vtkActor& actor, const Colour& c) { actor.GetProperty()->SetColor(c[0] / 255.0, c[1] / 255.0, c[2] / 255.0); }
+void paint(vtkActor& actor, const Colour& c) {
+  actor.GetProperty()->SetColor(c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
+}
 
 vtkNew<vtkActor> surface_actor(const SceneSurface& surface) {
   vtkNew<vtkPoints> points;
@@ -124,7 +126,8 @@ void set_camera(vtkRenderer& renderer, const Scene& scene) {
 }  // namespace
 
 std::string render_png(const std::vector<Scene>& scenes, int columns, const PictureSize& size) {
-  if (!can_render()) throw Error("pictures need a display and there is none (DISPLAY is not set): run under xvfb-run -a");
+  if (!can_render())
+    throw Error("pictures need a display and there is none (DISPLAY is not set): run under xvfb-run -a");
   FORAMEN_ASSERT(!scenes.empty() && columns > 0);
   const int count = static_cast<int>(scenes.size()), rows = (count + columns - 1) / columns;
   vtkNew<vtkRenderWindow> window;
@@ -152,7 +155,8 @@ std::string render_png(const std::vector<Scene>& scenes, int columns, const Pict
   writer->SetInputConnection(grab->GetOutputPort());
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
-  return {reinterpret_cast<const char*>(bytes->GetPointer(0)), static_cast<std::size_t>(bytes->GetNumberOfValues())};
+  return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
+          static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
 #else
 std::string render_png(const std::vector<Scene>&, int, const PictureSize&) {

@@ -31,7 +31,8 @@ void look(Scene& scene, std::span<const Vec3> points, View view) {
   const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();  // shortest first
   const int along = view == View::along_shortest ? 0 : view == View::along_middle ? 1 : 2;
   const int upward = along == 0 ? 1 : 0;
-  // The sign of an eigenvector means nothing: let the skew of the points decide, so that similar shapes look alike.
+  // The sign of an eigenvector means nothing: let the skew of the points decide, so that similar shapes look
+  // alike.
   const auto oriented = [&](int axis) {
     double skew = 0;
     for (const Vec3& p : points) skew += std::pow((p - centre).dot(axes.col(axis)), 3);

@@ -67,8 +67,8 @@ std::string report_html(const ReportPage& page) {
   std::string out =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p class=\"subtitle\">" +
-      html_escaped(page.subtitle) + "</p>\n";
+      title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + title +
+      "</h1>\n<p class=\"subtitle\">" + html_escaped(page.subtitle) + "</p>\n";
   for (const auto& section : page.sections) out += section_html(section);
   return out + "</body>\n</html>\n";
 }

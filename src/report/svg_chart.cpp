@@ -15,7 +15,8 @@ namespace {
 constexpr double width = 520, height = 340, left = 62, right = 16, top = 34, bottom = 46;
 
 // Okabe and Ito's colours, which the colour-blind can tell apart.
-constexpr std::array<const char*, 6> colours{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+constexpr std::array<const char*, 6> colours{"#0072B2", "#D55E00", "#009E73",
+                                             "#CC79A7", "#E69F00", "#56B4E9"};
 
 std::string number(double value, int digits) {
   char text[40];
@@ -51,7 +52,9 @@ struct Range {
 struct Frame {
   Axis x, y;
   double px(double v) const { return left + (v - x.low) / (x.high - x.low) * (width - left - right); }
-  double py(double v) const { return height - bottom - (v - y.low) / (y.high - y.low) * (height - top - bottom); }
+  double py(double v) const {
+    return height - bottom - (v - y.low) / (y.high - y.low) * (height - top - bottom);
+  }
 };
 
 double error_of(const ChartSeries& s, std::size_t i) { return i < s.error.size() ? s.error[i] : 0.0; }
@@ -73,13 +76,14 @@ Frame frame_of(const Chart& chart) {
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& attributes) {
-  return "<line x1=\"" + number(x1, 2) + "\" y1=\"" + number(y1, 2) + "\" x2=\"" + number(x2, 2) + "\" y2=\"" +
-         number(y2, 2) + "\" " + attributes + "/>\n";
+  return "<line x1=\"" + number(x1, 2) + "\" y1=\"" + number(y1, 2) + "\" x2=\"" + number(x2, 2) +
+         "\" y2=\"" + number(y2, 2) + "\" " + attributes + "/>\n";
 }
 
-std::string label(double x, double y, const std::string& anchor, const std::string& text, const std::string& more = {}) {
-  return "<text x=\"" + number(x, 2) + "\" y=\"" + number(y, 2) + "\" text-anchor=\"" + anchor + "\" " + more + ">" +
-         html_escaped(text) + "</text>\n";
+std::string label(double x, double y, const std::string& anchor, const std::string& text,
+                  const std::string& more = {}) {
+  return "<text x=\"" + number(x, 2) + "\" y=\"" + number(y, 2) + "\" text-anchor=\"" + anchor + "\" " +
+         more + ">" + html_escaped(text) + "</text>\n";
 }
 
 std::string axes(const Chart& chart, const Frame& f) {
@@ -104,12 +108,14 @@ std::string curve(const ChartSeries& s, std::size_t index, const Frame& f) {
     // A small offset keeps the error bars of two curves apart.
     const double x = f.px(s.x[i]) + 2.0 * static_cast<double>(index), y = f.py(s.y[i]);
     points += number(x, 2) + "," + number(y, 2) + " ";
-    marks += "<circle cx=\"" + number(x, 2) + "\" cy=\"" + number(y, 2) + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
+    marks +=
+        "<circle cx=\"" + number(x, 2) + "\" cy=\"" + number(y, 2) + "\" r=\"3\" fill=\"" + colour + "\"/>\n";
     if (error_of(s, i) > 0)
       marks += line(x, f.py(s.y[i] - s.error[i]), x, f.py(s.y[i] + s.error[i]), "stroke=\"" + colour + "\"");
   }
-  return "<g class=\"series-" + std::to_string(index) + "\"><polyline fill=\"none\" stroke-width=\"1.6\" stroke=\"" +
-         colour + "\" points=\"" + points + "\"/>\n" + marks + "</g>\n";
+  return "<g class=\"series-" + std::to_string(index) +
+         "\"><polyline fill=\"none\" stroke-width=\"1.6\" stroke=\"" + colour + "\" points=\"" + points +
+         "\"/>\n" + marks + "</g>\n";
 }
 
 std::string legend(const Chart& chart) {

@@ -46,7 +46,8 @@ std::string contents(const fs::path& file) {
   return text.str();
 }
 
-// All files of a folder but run.json (and the report's pictures' source does not matter: the page is among them).
+// All files of a folder but run.json (and the report's pictures' source does not matter: the page is among
+// them).
 std::map<std::string, std::string> files_of(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -118,8 +119,8 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   ASSERT_EQ(run(small_build("--threads 2 " + shapes + " -o " + again.string())).code, 0);
   const auto files = files_of(one);
   for (const char* name : {"model.h5", "mean.ply", "corresponding/synth001.ply", "corresponding/synth004.ply",
-                           "modes/mode01_minus2sd.ply", "modes/mode01_plus2sd.ply", "atlas.h5", "scores.csv", "metrics.json",
-                           "metrics.csv", "report.html"})
+                           "modes/mode01_minus2sd.ply", "modes/mode01_plus2sd.ply", "atlas.h5", "scores.csv",
+                           "metrics.json", "metrics.csv", "report.html"})
     EXPECT_TRUE(files.contains(name)) << name;
   for (const auto& [name, bytes] : files) {
     EXPECT_TRUE(files_of(two).at(name) == bytes) << name << " differs between 1 and 2 threads";
@@ -134,7 +135,9 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   EXPECT_EQ(run("modes " + one.string() + " --sd 3 -o " + (folder() / "modes").string()).code, 0);
   EXPECT_TRUE(fs::exists(folder() / "modes" / "mode01_plus3sd.ply"));
   EXPECT_EQ(run("evaluate " + one.string() + " --samples 10 --shapes " + shapes + " --truth " +
-                (synth() / "truth").string()).code, 0);
+                (synth() / "truth").string())
+                .code,
+            0);
   const Outcome compared =
       run("compare " + one.string() + " " + two.string() + " -o " + (folder() / "compare").string());
   EXPECT_EQ(compared.code, 0);
@@ -150,7 +153,8 @@ TEST_F(Cli, ABadShapeIsLeftOutAndNamedAndStrictRefuses) {
   open.triangles.pop_back();
   write_ply(mixed / "open.ply", open);
   std::ofstream(mixed / "empty.ply");
-  const std::string arguments = "build --landmarks 400 --samples 5 " + mixed.string() + " -o " + (folder() / "m").string();
+  const std::string arguments =
+      "build --landmarks 400 --samples 5 " + mixed.string() + " -o " + (folder() / "m").string();
   const Outcome lenient = run(arguments);
   EXPECT_EQ(lenient.code, 0) << lenient.output;
   EXPECT_THAT(lenient.output, HasSubstr("left out open.ply"));
@@ -160,7 +164,8 @@ TEST_F(Cli, ABadShapeIsLeftOutAndNamedAndStrictRefuses) {
 
 TEST_F(Cli, FewerThanThreeShapesAreRefused) {
   const std::string shapes = (synth() / "shapes").string();
-  const Outcome two = run(small_build(shapes + "/synth001.ply " + shapes + "/synth002.ply -o " + (folder() / "m2").string()));
+  const Outcome two =
+      run(small_build(shapes + "/synth001.ply " + shapes + "/synth002.ply -o " + (folder() / "m2").string()));
   EXPECT_EQ(two.code, 1);
   EXPECT_THAT(two.output, HasSubstr("at least 3"));
 }

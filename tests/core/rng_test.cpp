@@ -42,7 +42,11 @@ TEST(ParallelFor, GivesTheErrorOfAnItemAndStopsOnRequest) {
     std::vector<int> done(100, 0);
     parallel_for(100, ctx, [&](int i) { done[static_cast<std::size_t>(i)] = i; });
     for (int i = 0; i < 100; ++i) EXPECT_EQ(done[static_cast<std::size_t>(i)], i);
-    EXPECT_THROW(parallel_for(100, ctx, [](int i) { if (i == 50) throw InvalidInput("50"); }), InvalidInput);
+    EXPECT_THROW(parallel_for(100, ctx,
+                              [](int i) {
+                                if (i == 50) throw InvalidInput("50");
+                              }),
+                 InvalidInput);
     ctx.request_stop();
     EXPECT_THROW(parallel_for(100, ctx, [](int) {}), Cancelled);
   }

@@ -21,7 +21,8 @@ double smallest_distance(const Vec3& p, const ReferenceLoops& reference) {
 }
 
 TEST(PropagateLoops, EdgeCostIsEquation3) {
-  const ReferenceLoops reference = find_reference_loops(build_mesh(bumpy_torus_soup(16, 9, 1)), RunContext(1));
+  const ReferenceLoops reference =
+      find_reference_loops(build_mesh(bumpy_torus_soup(16, 9, 1)), RunContext(1));
   const Mesh shape = build_mesh(bumpy_torus_soup(14, 8, 2));
   const auto paper = loop_edge_costs(shape, reference, EdgeCost::paper);
   const auto weighted = loop_edge_costs(shape, reference, EdgeCost::length_weighted);

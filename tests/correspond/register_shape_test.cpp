@@ -19,7 +19,8 @@ TriangleSoup lopsided(int around, int tube) {
   for (Vec3& p : soup.points) {
     const double u = std::atan2(p.y(), p.x());
     p.x() *= 1.5;
-    p += Vec3(4 * std::cos(2 * u), 3 * std::sin(3 * u), 6 * std::exp(std::cos(u - 0.7) - 1) + 2 * std::sin(2 * u + 1));
+    p += Vec3(4 * std::cos(2 * u), 3 * std::sin(3 * u),
+              6 * std::exp(std::cos(u - 0.7) - 1) + 2 * std::sin(2 * u + 1));
     p.z() += 0.02 * p.x() * p.x();
   }
   return soup;
@@ -59,8 +60,8 @@ TEST(RegisterShape, ThePapersWayMapsWithoutFlips) {
   const RunContext ctx(1);
   const RegisterOptions options = paper_options();
   const Reference reference = map_reference(build_mesh(lopsided(20, 12)), ctx, options);
-  const RegisteredShape shape =
-      register_shape(transformed(build_mesh(renumbered(lopsided(22, 13), 1)), some_pose()), reference, ctx, options);
+  const RegisteredShape shape = register_shape(
+      transformed(build_mesh(renumbered(lopsided(22, 13), 1)), some_pose()), reference, ctx, options);
   EXPECT_EQ(shape.shape_map.certificate.flipped, 0);
   EXPECT_LE(shape.shape_map.final_energy, shape.shape_map.initial_energy);
 }

@@ -30,7 +30,8 @@ struct Scene {
 double equation4(const Scene& scene, VertexId j, const Vec2& x, int q, double eps) {
   const Vec3& p = scene.shape.position(j);
   std::vector<std::pair<double, int>> all;
-  for (VertexId k : scene.reference.vertices()) all.emplace_back((scene.reference.position(k) - p).norm(), k.index);
+  for (VertexId k : scene.reference.vertices())
+    all.emplace_back((scene.reference.position(k) - p).norm(), k.index);
   std::sort(all.begin(), all.end());
   double sum = 0;
   for (int n = 0; n < q; ++n) {
@@ -77,7 +78,8 @@ TEST(SoftNeighbours, GradientAndHessianAreDifferences) {
 
 TEST(SoftNeighbours, IsPeriodicAndRelativeWeightsSumToOne) {
   const Scene scene;
-  const double far_apart = 1e4;  // every neighbour then counts as equally far, so the value tells the sum of weights
+  const double far_apart =
+      1e4;  // every neighbour then counts as equally far, so the value tells the sum of weights
   const SoftNeighbours term(scene.shape, scene.reference, scene.map, {.smoothing = far_apart});
   const SoftNeighbours sharp(scene.shape, scene.reference, scene.map);
   for (VertexId v : scene.shape.vertices()) {
@@ -88,8 +90,8 @@ TEST(SoftNeighbours, IsPeriodicAndRelativeWeightsSumToOne) {
 }
 
 TEST(SoftNeighbours, OrientedSearchStaysOnItsSideOfAThinWall) {
-  // Two sheets 1 mm apart that face away from each other, each a patch of a torus-like grid: a query just inside the upper sheet is
-  // nearer to the lower one, but faces like the upper.
+  // Two sheets 1 mm apart that face away from each other, each a patch of a torus-like grid: a query just
+  // inside the upper sheet is nearer to the lower one, but faces like the upper.
   TriangleSoup wall;
   for (double z : {0.0, 1.0})
     for (int i = 0; i < 4; ++i)
@@ -111,7 +113,8 @@ TEST(SoftNeighbours, OrientedSearchStaysOnItsSideOfAThinWall) {
   map.turns = VertexMap<Vec2>(32, Vec2::Zero());
   for (int v = 16; v < 32; ++v) map.turns[VertexId(v)] = Vec2(0.5, 0.0);
   std::vector<Vec3> moved(wall.points.begin(), wall.points.end());
-  for (Vec3& p : moved) p.z() = p.z() > 0.5 ? 0.4 : -0.6;  // the upper sheet is now nearer to the reference's lower one
+  for (Vec3& p : moved)
+    p.z() = p.z() > 0.5 ? 0.4 : -0.6;  // the upper sheet is now nearer to the reference's lower one
   const Mesh shape = reference.with_positions(moved);
   const VertexId inner(16 + 5);
   const Vec2 upper(0.5, 0.0);

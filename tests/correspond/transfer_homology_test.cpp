@@ -42,8 +42,10 @@ Pair make_pair_of_tori(std::uint64_t seed) {
 }
 
 TEST(TransferHomology, OntoItselfIsTheIdentity) {
-  const ReferenceLoops reference = find_reference_loops(build_mesh(bumpy_torus_soup(20, 12, 7)), RunContext(1));
-  const auto transfer = transfer_homology(reference.mesh, cocycle(reference.mesh, reference.loops), reference);
+  const ReferenceLoops reference =
+      find_reference_loops(build_mesh(bumpy_torus_soup(20, 12, 7)), RunContext(1));
+  const auto transfer =
+      transfer_homology(reference.mesh, cocycle(reference.mesh, reference.loops), reference);
   EXPECT_EQ(transfer.a, Eigen::Matrix2i::Identity());
 }
 
@@ -54,7 +56,8 @@ TEST(TransferHomology, RenamedPeriodsAreTheReferences) {
     const Eigen::Matrix2i inverse = inverse_unimodular(pair.transfer.a);
     EXPECT_EQ(inverse * pair.transfer.a, Eigen::Matrix2i::Identity());
     for (int k = 0; k < 2; ++k) {
-      const Vec2i period = inverse * integrate(pair.form, pair.transfer.transferred[static_cast<std::size_t>(k)]);
+      const Vec2i period =
+          inverse * integrate(pair.form, pair.transfer.transferred[static_cast<std::size_t>(k)]);
       EXPECT_EQ(period, Vec2i(k == 0 ? 1 : 0, k == 0 ? 0 : 1));
     }
   }

@@ -33,7 +33,8 @@ TEST(ReportPage, TextFromFilesCannotBecomeMarkup) {
 TEST(ReportPage, LoadsNothingFromElsewhere) {
   ReportPage page{"t", "", {{"s", {}, {}, {}, {{"picture", "png"}}}}};
   const std::string html = report_html(page);
-  for (const char* outside : {"src=\"http", "href=\"http", "@import", "url("}) EXPECT_THAT(html, Not(HasSubstr(outside)));
+  for (const char* outside : {"src=\"http", "href=\"http", "@import", "url("})
+    EXPECT_THAT(html, Not(HasSubstr(outside)));
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,cG5n"));
 }
 
@@ -45,7 +46,8 @@ double circle_y(const std::string& svg, int n) {
 }
 
 TEST(SvgChart, PlacesPointsByTheirValues) {
-  const std::string svg = svg_chart({"t", "modes", "mm", {{"a", {1, 2, 3}, {1.0, 2.0, 4.0}, {0.1, 0.1, 0.2}}}});
+  const std::string svg =
+      svg_chart({"t", "modes", "mm", {{"a", {1, 2, 3}, {1.0, 2.0, 4.0}, {0.1, 0.1, 0.2}}}});
   const double y1 = circle_y(svg, 0), y2 = circle_y(svg, 1), y3 = circle_y(svg, 2);
   EXPECT_GT(y1, y2);
   EXPECT_NEAR((y1 - y2) * 2, y2 - y3, 0.05);

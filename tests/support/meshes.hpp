@@ -42,9 +42,6 @@ inline TriangleSoup bumpy_torus_soup(int around, int tube, std::uint64_t seed) {
   return soup;
 }
 
-/// Two tori joined side by side: closed, genus 2.
-TriangleSoup double_torus_soup(int around, int tube);
-
 /// The surface with its vertices and triangles in another order.
 inline TriangleSoup renumbered(const TriangleSoup& soup, std::uint64_t seed) {
   Rng rng(seed);

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 /// Skips the test, visibly, where the real shapes are absent.
-#define FORAMEN_NEEDS_REAL_DATA()                                                     \
-  if (!std::filesystem::is_directory(FORAMEN_DATA_DIR "/lumbar"))                     \
+#define FORAMEN_NEEDS_REAL_DATA()                                 \
+  if (!std::filesystem::is_directory(FORAMEN_DATA_DIR "/lumbar")) \
   GTEST_SKIP() << "needs the real vertebrae, which are not in " << FORAMEN_DATA_DIR
 
 namespace foramen::testing {

@@ -30,7 +30,8 @@ double signed_volume(const Mesh& mesh);
 Vec3 surface_centroid(const Mesh& mesh);
 /// One third of the areas of the triangles at each vertex; they sum to total_area.
 VertexMap<double> vertex_areas(const Mesh& mesh);
-/// Unit normals, the triangles at a vertex weighted by their angle there. Zero only where all triangles are degenerate.
+/// Unit normals, the triangles at a vertex weighted by their angle there. Zero only where all triangles are
+/// degenerate.
 VertexMap<Vec3> vertex_normals(const Mesh& mesh);
 double edge_length(const Mesh& mesh, EdgeId e);
 EdgeMap<double> edge_lengths(const Mesh& mesh);

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Triangle surfaces: the raw soup as files hold it, and the immutable manifold mesh everything else works on.
+/// Triangle surfaces: the raw soup as files hold it, and the immutable manifold mesh everything else works
+/// on.
 
 #include <array>
 #include <memory>
@@ -21,8 +22,8 @@ using Mat3 = Eigen::Matrix3d;
 
 /// Points and index triples, nothing promised. What readers return and writers take.
 struct TriangleSoup {
-  std::vector<Vec3> points;                    ///< mm
-  std::vector<std::array<int, 3>> triangles;   ///< counter-clockwise seen from outside
+  std::vector<Vec3> points;                   ///< mm
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
 /// An oriented 2-manifold triangle mesh, with or without boundary, immutable. Copies share everything.
@@ -59,22 +60,25 @@ class Mesh {
   static HalfedgeId next(HalfedgeId h) { return HalfedgeId(h.index % 3 == 2 ? h.index - 2 : h.index + 1); }
   static HalfedgeId prev(HalfedgeId h) { return HalfedgeId(h.index % 3 == 0 ? h.index + 2 : h.index - 1); }
   VertexId from(HalfedgeId h) const {
-    return VertexId(
-        connectivity_->triangles[static_cast<std::size_t>(h.index / 3)][static_cast<std::size_t>(h.index % 3)]);
+    return VertexId(connectivity_->triangles[static_cast<std::size_t>(h.index / 3)]
+                                            [static_cast<std::size_t>(h.index % 3)]);
   }
   VertexId to(HalfedgeId h) const { return from(next(h)); }
   /// The opposite halfedge; invalid on the boundary.
   HalfedgeId twin(HalfedgeId h) const { return connectivity_->twin[static_cast<std::size_t>(h.index)]; }
   EdgeId edge(HalfedgeId h) const { return connectivity_->halfedge_edge[static_cast<std::size_t>(h.index)]; }
   /// One halfedge of the edge (the one of smaller index).
-  HalfedgeId halfedge(EdgeId e) const { return connectivity_->edge_halfedge[static_cast<std::size_t>(e.index)]; }
+  HalfedgeId halfedge(EdgeId e) const {
+    return connectivity_->edge_halfedge[static_cast<std::size_t>(e.index)];
+  }
   /// An outgoing halfedge. At a boundary vertex the one from which rotated() reaches all others.
   HalfedgeId outgoing(VertexId v) const {
     return connectivity_->vertex_halfedge[static_cast<std::size_t>(v.index)];
   }
   /// The next outgoing halfedge counter-clockwise about from(h); invalid past the boundary.
   HalfedgeId rotated(HalfedgeId h) const { return twin(prev(h)); }
-  /// All outgoing halfedges of v, counter-clockwise. (A boundary vertex has one more neighbour: from(prev(last)).)
+  /// All outgoing halfedges of v, counter-clockwise. (A boundary vertex has one more neighbour:
+  /// from(prev(last)).)
   std::vector<HalfedgeId> fan(VertexId v) const;
   /// The halfedge from a to b, invalid if there is none in that direction.
   HalfedgeId find_halfedge(VertexId a, VertexId b) const;
@@ -102,9 +106,10 @@ class Mesh {
   std::shared_ptr<const Connectivity> connectivity_ = std::make_shared<const Connectivity>();
 };
 
-/// Builds the connectivity. Throws InvalidInput (index out of range, a corner used twice, a coordinate that is not
-/// finite) or TopologyError (an edge with more than two triangles or two of the same direction, a vertex whose
-/// triangles do not form one fan, a vertex without triangle); the message names the first offender.
+/// Builds the connectivity. Throws InvalidInput (index out of range, a corner used twice, a coordinate that
+/// is not finite) or TopologyError (an edge with more than two triangles or two of the same direction, a
+/// vertex whose triangles do not form one fan, a vertex without triangle); the message names the first
+/// offender.
 Mesh build_mesh(TriangleSoup soup);
 
 }  // namespace foramen

@@ -11,7 +11,8 @@ namespace foramen {
 class Rng {
  public:
   explicit Rng(std::uint64_t seed);
-  /// An independent stream for item `stream`; does not change this one, so the order of forks does not matter.
+  /// An independent stream for item `stream`; does not change this one, so the order of forks does not
+  /// matter.
   Rng fork(std::uint64_t stream) const;
   std::uint64_t bits() { return engine_(); }
   /// Uniform in [0, 1), 53 bits.

@@ -11,11 +11,12 @@
 namespace foramen {
 
 struct Progress {
-  std::string stage;      ///< what is being done, e.g. "register"
-  double fraction = 0;    ///< of this stage, 0 .. 1
+  std::string stage;    ///< what is being done, e.g. "register"
+  double fraction = 0;  ///< of this stage, 0 .. 1
 };
 
-/// Copies share the stop request. Safe to use from many threads; the callback is called by one thread at a time.
+/// Copies share the stop request. Safe to use from many threads; the callback is called by one thread at a
+/// time.
 class RunContext {
  public:
   using Callback = std::function<void(const Progress&)>;

@@ -15,7 +15,8 @@ double millimetres_per(LengthUnit unit);
 std::string_view name(LengthUnit unit);
 /// The unit of that name; empty if there is none.
 std::optional<LengthUnit> length_unit(std::string_view name);
-/// The unit in which a vertebra of this bounding-box diagonal would be 20 to 250 mm; empty if none does or if it is mm.
+/// The unit in which a vertebra of this bounding-box diagonal would be 20 to 250 mm; empty if none does or if
+/// it is mm.
 std::optional<LengthUnit> likely_unit(double diagonal);
 
 /// Plausible bounding-box diagonal of one vertebra, mm.

@@ -20,43 +20,46 @@ struct RegisterOptions {
   Weighting weighting = Weighting::area;
   EdgeCost edge_cost = EdgeCost::length_weighted;
   SoftNeighboursOptions neighbours = {};
-  double lambda = 0.05;           ///< Weight of distortion against correspondence (area weighting: of means). > 0.
-  int working_vertices = 10000;   ///< Of the mesh that carries the search.
+  double lambda = 0.05;  ///< Weight of distortion against correspondence (area weighting: of means). > 0.
+  int working_vertices = 10000;  ///< Of the mesh that carries the search.
   double relative_tolerance = 1e-4;
-  int iteration_limit = 200;      ///< Of each optimisation.
+  int iteration_limit = 200;  ///< Of each optimisation.
 };
 
-/// The paper's own choices: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with plain neighbours, lambda = 0.00025.
+/// The paper's own choices: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with plain
+/// neighbours, lambda = 0.00025.
 RegisterOptions paper_options();
 
 /// A final map with what is known about it.
 struct ShapeMap {
-  TorusMap map;                ///< of the input mesh, positions quantised, in the reference's basis and lattice
-  MapCertificate certificate;  ///< of that map
-  int iterations = 0;          ///< on the working mesh and on the input mesh together
+  TorusMap map;  ///< of the input mesh, positions quantised, in the reference's basis and lattice
+  MapCertificate certificate;                   ///< of that map
+  int iterations = 0;                           ///< on the working mesh and on the input mesh together
   double initial_energy = 0, final_energy = 0;  ///< on the working mesh, then on the input mesh
-  double distortion = 0;       ///< area-weighted mean of Degener's energy, >= 4
+  double distortion = 0;                        ///< area-weighted mean of Degener's energy, >= 4
 };
 
 struct Reference {
-  ReferenceLoops loops;   ///< with the mesh
+  ReferenceLoops loops;  ///< with the mesh
   ShapeMap shape_map;
   const Mesh& mesh() const { return loops.mesh; }
 };
 
-/// Loops over all basepoints, first map, minimal distortion with free lattice. The lattice found is that of all shapes.
+/// Loops over all basepoints, first map, minimal distortion with free lattice. The lattice found is that of
+/// all shapes.
 Reference map_reference(const Mesh& mesh, const RunContext& ctx, const RegisterOptions& options = {});
 
 struct RegisteredShape {
-  Alignment alignment;               ///< shape -> reference
+  Alignment alignment;  ///< shape -> reference
   ShapeMap shape_map;
-  Eigen::Matrix2i homology;          ///< A, see transfer_homology()
-  Eigen::Matrix2i seifert;           ///< of the shape's own loops
-  Vec2 agreement = Vec2::Zero();     ///< see map_agreement()
+  Eigen::Matrix2i homology;       ///< A, see transfer_homology()
+  Eigen::Matrix2i seifert;        ///< of the shape's own loops
+  Vec2 agreement = Vec2::Zero();  ///< see map_agreement()
 };
 
-/// Aligns the shape, carries the loops over, maps it to the reference's torus and minimises E_cor + lambda E_deg. Throws
-/// TopologyError or ConvergenceError with the reason if any check fails: Seifert test, agreement of the maps, certificate.
+/// Aligns the shape, carries the loops over, maps it to the reference's torus and minimises E_cor + lambda
+/// E_deg. Throws TopologyError or ConvergenceError with the reason if any check fails: Seifert test,
+/// agreement of the maps, certificate.
 RegisteredShape register_shape(const Mesh& shape, const Reference& reference, const RunContext& ctx,
                                const RegisterOptions& options = {});
 

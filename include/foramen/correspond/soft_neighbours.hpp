@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The paper's correspondence term: every vertex is drawn to the torus positions of its nearest neighbours on the reference.
+/// The paper's correspondence term: every vertex is drawn to the torus positions of its nearest neighbours on
+/// the reference.
 
 #include "foramen/parameterize/optimise_map.hpp"
 
@@ -16,15 +17,15 @@ enum class NeighbourWeights {
 };
 
 struct SoftNeighboursOptions {
-  int count = 8;                   ///< q, neighbours per vertex. > 0.
+  int count = 8;  ///< q, neighbours per vertex. > 0.
   NeighbourSearch search = NeighbourSearch::oriented_points;
   NeighbourWeights weights = NeighbourWeights::relative;
-  double smoothing = 1e-3;         ///< eps in sqrt(r^2 + eps^2) for the distance r on the torus of area 1. > 0.
+  double smoothing = 1e-3;  ///< eps in sqrt(r^2 + eps^2) for the distance r on the torus of area 1. > 0.
 };
 
-/// E_cor,j = sum over the q nearest reference vertices k of w_jk |p_j - p_k|, [becker2011 Eq. 4], with the distance to the nearest lattice
-/// translate, smoothed as sqrt(r^2 + eps^2). Positions in the plane of the reference's lattice (area 1). The Hessian is exact; it is
-/// positive semi-definite by nature.
+/// E_cor,j = sum over the q nearest reference vertices k of w_jk |p_j - p_k|, [becker2011 Eq. 4], with the
+/// distance to the nearest lattice translate, smoothed as sqrt(r^2 + eps^2). Positions in the plane of the
+/// reference's lattice (area 1). The Hessian is exact; it is positive semi-definite by nature.
 class SoftNeighbours : public CorrespondenceObjective {
  public:
   SoftNeighbours(const Mesh& aligned_shape, const Mesh& reference, const TorusMap& reference_map,

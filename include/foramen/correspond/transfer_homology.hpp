@@ -11,21 +11,24 @@
 namespace foramen {
 
 struct HomologyTransfer {
-  Eigen::Matrix2i a;                    ///< column k: periods of the transferred reference loop k under the shape's cocycle
+  Eigen::Matrix2i a;  ///< column k: periods of the transferred reference loop k under the shape's cocycle
   std::array<EdgeLoop, 2> transferred;  ///< closed loops on the shape
 };
 
-/// Moves each reference loop to the nearest normal-compatible vertices of the shape, closes it by shortest paths and
-/// integrates the shape's cocycle along it. t' = A^-1 t then has the reference's periods. Throws TopologyError if
-/// |det A| is not 1. It proves nothing by itself (a Dehn twist passes): see seifert_test() and map_agreement().
-HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form, const ReferenceLoops& reference);
+/// Moves each reference loop to the nearest normal-compatible vertices of the shape, closes it by shortest
+/// paths and integrates the shape's cocycle along it. t' = A^-1 t then has the reference's periods. Throws
+/// TopologyError if |det A| is not 1. It proves nothing by itself (a Dehn twist passes): see seifert_test()
+/// and map_agreement().
+HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form,
+                                   const ReferenceLoops& reference);
 
 /// A^-1 of an integer matrix. \pre |det A| = 1
 Eigen::Matrix2i inverse_unimodular(const Eigen::Matrix2i& a);
 
-/// Mean cosine, over the surface, between the gradients of the shape's map and of the reference's at the nearest
-/// normal-compatible vertex, for each of the two coordinates. Both must be positive: the Seifert test leaves the common sign
-/// of the two loops open, and this settles it without the transferred loops.
-Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference, const TorusMap& reference_map);
+/// Mean cosine, over the surface, between the gradients of the shape's map and of the reference's at the
+/// nearest normal-compatible vertex, for each of the two coordinates. Both must be positive: the Seifert test
+/// leaves the common sign of the two loops open, and this settles it without the transferred loops.
+Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference,
+                   const TorusMap& reference_map);
 
 }  // namespace foramen

@@ -45,8 +45,10 @@ class ShapeModel {
 Eigen::VectorXd flattened(std::span<const Vec3> points);
 std::vector<Vec3> unflattened(const Eigen::VectorXd& x);
 
-/// PCA of aligned corresponding shapes: covariance with divisor n - 1, by the Gram matrix, re-orthonormalised; modes below 1e-10 of the
-/// first are dropped; the largest component of each mode is positive. \pre at least 2 shapes of the same length
-ShapeModel build_shape_model(const std::vector<std::vector<Vec3>>& aligned, std::vector<std::array<int, 3>> triangles);
+/// PCA of aligned corresponding shapes: covariance with divisor n - 1, by the Gram matrix,
+/// re-orthonormalised; modes below 1e-10 of the first are dropped; the largest component of each mode is
+/// positive. \pre at least 2 shapes of the same length
+ShapeModel build_shape_model(const std::vector<std::vector<Vec3>>& aligned,
+                             std::vector<std::array<int, 3>> triangles);
 
 }  // namespace foramen

@@ -16,17 +16,18 @@ namespace foramen {
 
 enum class Method {
   torus,  ///< correspondence through maps to a common flat torus
-  icp,    ///< the baseline (Brett and Taylor 2000): landmarks of the remeshed reference to their closest points
+  icp,  ///< the baseline (Brett and Taylor 2000): landmarks of the remeshed reference to their closest points
 };
 
 struct BuildOptions {
   Method method = Method::torus;
-  std::string reference = "auto";          ///< A shape's stem, or auto: see choose_reference().
+  std::string reference = "auto";  ///< A shape's stem, or auto: see choose_reference().
   RegisterOptions registration = {};
-  int landmarks = 4000;                    ///< Budget; refinement may add 5 %.
-  std::optional<double> target_error_mm = std::nullopt;  ///< Set: as few landmarks as give this mean representation error [mm].
-  int grid_points = 65000;                 ///< Of the dense uniform sampling of the torus.
-  RemeshOptions remeshing = {};            ///< (its number of landmarks is set from the above)
+  int landmarks = 4000;  ///< Budget; refinement may add 5 %.
+  std::optional<double> target_error_mm =
+      std::nullopt;              ///< Set: as few landmarks as give this mean representation error [mm].
+  int grid_points = 65000;       ///< Of the dense uniform sampling of the torus.
+  RemeshOptions remeshing = {};  ///< (its number of landmarks is set from the above)
   ScaleMode scale = ScaleMode::keep;
   std::uint64_t seed = 1;
 };
@@ -34,31 +35,33 @@ struct BuildOptions {
 /// What became of one input.
 struct ShapeOutcome {
   InputShape input;
-  RegisteredShape registration;      ///< identity and the reference's own map for the reference; alignment only for ICP
-  std::vector<Vec3> landmarks;       ///< on its input surface, in the input's coordinates, mm
-  int unmatched = 0;                 ///< ICP: landmarks without a normal-compatible point on this shape
-  double seconds = 0;                ///< of registration
+  RegisteredShape
+      registration;  ///< identity and the reference's own map for the reference; alignment only for ICP
+  std::vector<Vec3> landmarks;  ///< on its input surface, in the input's coordinates, mm
+  int unmatched = 0;            ///< ICP: landmarks without a normal-compatible point on this shape
+  double seconds = 0;           ///< of registration
 };
 
 struct ModelBuild {
   std::vector<ShapeOutcome> shapes;  ///< used, in order of stem
   std::vector<LeftOut> left_out;
-  int reference = 0;                 ///< index into shapes
+  int reference = 0;  ///< index into shapes
   Reference reference_map;
   LandmarkMesh landmarks;
-  int inserted_landmarks = 0;        ///< added to the budget by refinement
-  int remaining_flips = 0;           ///< confirmed-flipped or degenerate landmark triangles, over all shapes; must be 0
+  int inserted_landmarks = 0;  ///< added to the budget by refinement
+  int remaining_flips =
+      0;  ///< confirmed-flipped or degenerate landmark triangles, over all shapes; must be 0
   ProcrustesResult procrustes;
   ShapeModel model;
   std::vector<std::pair<std::string, double>> stage_seconds;
 };
 
-/// Throws InvalidInput if fewer than three shapes are usable or the named reference is not among them. A shape whose registration fails is
-/// left out with the reason.
+/// Throws InvalidInput if fewer than three shapes are usable or the named reference is not among them. A
+/// shape whose registration fails is left out with the reason.
 ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunContext& ctx);
 
-/// The most ordinary shape by a cheap rule: smallest sum of absolute deviations of log area and log volume from the cohort's medians.
-/// The first of equals.
+/// The most ordinary shape by a cheap rule: smallest sum of absolute deviations of log area and log volume
+/// from the cohort's medians. The first of equals.
 int choose_reference(const std::vector<InputShape>& shapes);
 
 }  // namespace foramen

@@ -15,7 +15,8 @@ struct ModelComparison {
   std::vector<std::pair<std::string, std::string>> charts;  ///< file name and SVG of each chart
 };
 
-/// Reads the metrics of each model's folder; names them by their folders. Throws IoError if a folder has none.
+/// Reads the metrics of each model's folder; names them by their folders. Throws IoError if a folder has
+/// none.
 ModelComparison compare_models(const std::vector<std::filesystem::path>& models);
 
 }  // namespace foramen

@@ -17,7 +17,8 @@ struct CorrespondingFolder {
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::vector<Vec3>> shapes;  ///< mm
 };
-CorrespondingFolder read_corresponding(const std::filesystem::path& folder, LengthUnit unit = LengthUnit::millimetre);
+CorrespondingFolder read_corresponding(const std::filesystem::path& folder,
+                                       LengthUnit unit = LengthUnit::millimetre);
 
 /// The true correspondence of the shapes of these names. Throws InvalidInput if the folder lacks one.
 TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names);

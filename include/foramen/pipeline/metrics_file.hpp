@@ -9,11 +9,13 @@
 
 namespace foramen {
 
-/// The contents of metrics.json: estimates of every measure at every number of modes, and what is known of each shape.
+/// The contents of metrics.json: estimates of every measure at every number of modes, and what is known of
+/// each shape.
 std::string metrics_json(const Evaluation& evaluation);
 
-/// FOLDER/metrics.json, and FOLDER/metrics.csv with the columns item, kind (shape or draw), modes, measure, value, unit: one row per shape or
-/// draw, number of modes and measure. Each whole or not at all. Depends on nothing but the evaluation's figures (no times).
+/// FOLDER/metrics.json, and FOLDER/metrics.csv with the columns item, kind (shape or draw), modes, measure,
+/// value, unit: one row per shape or draw, number of modes and measure. Each whole or not at all. Depends on
+/// nothing but the evaluation's figures (no times).
 void write_metrics(const std::filesystem::path& folder, const Evaluation& evaluation);
 
 /// Reads FOLDER/metrics.json back: everything but the single items behind the estimates. Throws IoError.

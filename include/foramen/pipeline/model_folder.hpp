@@ -26,13 +26,15 @@ LoadedModel load_model(const std::filesystem::path& path);
 /// Scores of the training shapes, modes x shapes, in standard deviations.
 Eigen::MatrixXd training_scores(const ModelBuild& build);
 
-/// mean.ply, model.h5, corresponding/, modes/, atlas.h5, scores.csv; each whole or not at all. `command` is recorded.
-/// The corresponding meshes are divided by `millimetres` per unit, back to the units of the input files.
-void write_model_files(const std::filesystem::path& folder, const ModelBuild& build, const std::string& command,
-                       double millimetres);
+/// mean.ply, model.h5, corresponding/, modes/, atlas.h5, scores.csv; each whole or not at all. `command` is
+/// recorded. The corresponding meshes are divided by `millimetres` per unit, back to the units of the input
+/// files.
+void write_model_files(const std::filesystem::path& folder, const ModelBuild& build,
+                       const std::string& command, double millimetres);
 
 /// modeNN_minus2sd.ply and modeNN_plus2sd.ply for every mode.
-void write_modes(const std::filesystem::path& folder, const ShapeModel& model, double sd, AnatomicalSpace space);
+void write_modes(const std::filesystem::path& folder, const ShapeModel& model, double sd,
+                 AnatomicalSpace space);
 
 /// SOURCE_DATE_EPOCH as an ISO 8601 time in UTC, or the epoch.
 std::string build_time();

@@ -12,8 +12,8 @@
 
 namespace foramen {
 
-/// report.html from what the model's other files hold. Times and memory in `run` are not used, so that the same build gives
-/// the same bytes. \param run  the contents of run.json
+/// report.html from what the model's other files hold. Times and memory in `run` are not used, so that the
+/// same build gives the same bytes. \param run  the contents of run.json
 std::string model_page(const nlohmann::ordered_json& run, const Evaluation& evaluation, const Atlas& atlas,
                        const ShapeModel& model);
 

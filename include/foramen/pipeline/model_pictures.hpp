@@ -11,8 +11,8 @@
 
 namespace foramen {
 
-/// The template with its loops, its torus map with a checkerboard, and the first modes at +-2 sd; empty where no
-/// picture can be made (see can_render()).
+/// The template with its loops, its torus map with a checkerboard, and the first modes at +-2 sd; empty where
+/// no picture can be made (see can_render()).
 std::vector<ReportPicture> model_pictures(const Atlas& atlas, const ShapeModel& model);
 
 /// A corresponding mesh and its flipped triangles.
@@ -22,7 +22,8 @@ struct FlippedMesh {
   std::vector<int> flipped;
 };
 
-/// The meshes one above the other, each in two views, flipped triangles red: the paper's Fig. 2. Throws Error where no picture can be made.
+/// The meshes one above the other, each in two views, flipped triangles red: the paper's Fig. 2. Throws Error
+/// where no picture can be made.
 ReportPicture flips_picture(const std::vector<FlippedMesh>& meshes);
 
 }  // namespace foramen

@@ -34,11 +34,12 @@ struct Cohort {
   std::vector<LeftOut> left_out;
 };
 
-/// The mesh files meant by files and folders (a folder means the mesh files directly in it), in order of stem. Throws InvalidInput: no such
-/// path, a folder without meshes, two inputs with the same stem.
+/// The mesh files meant by files and folders (a folder means the mesh files directly in it), in order of
+/// stem. Throws InvalidInput: no such path, a folder without meshes, two inputs with the same stem.
 std::vector<std::filesystem::path> find_meshes(const std::vector<std::filesystem::path>& inputs);
 
-/// Reads and audits each file. What cannot be used is left out with its reason; nothing is thrown for one bad file.
+/// Reads and audits each file. What cannot be used is left out with its reason; nothing is thrown for one bad
+/// file.
 Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx);
 
 /// One surface fit for a model, or the reason why not as an InvalidInput or IoError.

@@ -17,9 +17,9 @@ struct BuildRequest {
   LengthUnit unit = LengthUnit::millimetre;   ///< of the inputs
   BuildOptions build = {};
   EvaluationOptions evaluation = {};
-  std::string subject_pattern;                ///< regular expression on stems; empty: subjects unknown
-  std::filesystem::path truth;                ///< folder of true correspondence; empty: unknown
-  std::string canonical_command;              ///< recorded in the files
+  std::string subject_pattern;    ///< regular expression on stems; empty: subjects unknown
+  std::filesystem::path truth;    ///< folder of true correspondence; empty: unknown
+  std::string canonical_command;  ///< recorded in the files
 };
 
 struct BuildSummary {
@@ -32,8 +32,8 @@ struct BuildSummary {
 /// Writes every file of the model's folder, each whole or not at all. Throws the errors of its stages.
 BuildSummary run_build(const BuildRequest& request, const RunContext& ctx);
 
-/// The subject of a shape: the pattern's first group (or whole match) in the stem; the stem itself if it does not match. Throws InvalidInput if the
-/// pattern is no regular expression.
+/// The subject of a shape: the pattern's first group (or whole match) in the stem; the stem itself if it does
+/// not match. Throws InvalidInput if the pattern is no regular expression.
 std::string subject_of(const std::string& stem, const std::string& pattern);
 
 }  // namespace foramen

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Off-screen pictures of surfaces and curves, by VTK. Needs a display: run under xvfb-run where there is none.
+/// Off-screen pictures of surfaces and curves, by VTK. Needs a display: run under xvfb-run where there is
+/// none.
 
 #include <array>
 #include <string>
@@ -15,10 +16,11 @@ using Colour = std::array<unsigned char, 3>;
 struct SceneSurface {
   TriangleSoup soup;
   std::vector<Colour> vertex_colours;  ///< one per point, or empty
-  std::vector<Colour> face_colours;    ///< one per triangle, or empty; drawn flat. Not together with vertex_colours.
-  Colour colour{226, 214, 196};        ///< where neither is given
-  bool edges = false;                  ///< draw the triangles' edges
-  bool lit = true;                     ///< false: plain colours, for flat maps
+  std::vector<Colour>
+      face_colours;  ///< one per triangle, or empty; drawn flat. Not together with vertex_colours.
+  Colour colour{226, 214, 196};  ///< where neither is given
+  bool edges = false;            ///< draw the triangles' edges
+  bool lit = true;               ///< false: plain colours, for flat maps
 };
 
 struct SceneCurve {

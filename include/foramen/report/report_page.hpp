@@ -33,7 +33,8 @@ struct ReportPage {
   std::vector<ReportSection> sections;
 };
 
-/// All text is escaped; nothing is loaded from elsewhere. Readable on a phone and on a wide screen, light and dark, printable.
+/// All text is escaped; nothing is loaded from elsewhere. Readable on a phone and on a wide screen, light and
+/// dark, printable.
 std::string report_html(const ReportPage& page);
 
 }  // namespace foramen

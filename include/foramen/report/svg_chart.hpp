@@ -19,8 +19,9 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// A self-contained <svg> element. Colours come from CSS classes series-0 ... with defaults inside, so that a page's dark scheme can change
-/// them. The y axis starts at zero when the smallest value is below a third of the largest. Identical input gives identical text.
+/// A self-contained <svg> element. Colours come from CSS classes series-0 ... with defaults inside, so that a
+/// page's dark scheme can change them. The y axis starts at zero when the smallest value is below a third of
+/// the largest. Identical input gives identical text.
 std::string svg_chart(const Chart& chart);
 
 }  // namespace foramen

@@ -13,22 +13,23 @@ namespace foramen {
 
 struct MeshReport {
   int vertices = 0, triangles = 0, edges = 0;
-  int unused_vertices = 0;             ///< belong to no triangle
-  int invalid_triangles = 0;           ///< index out of range or a corner used twice
+  int unused_vertices = 0;    ///< belong to no triangle
+  int invalid_triangles = 0;  ///< index out of range or a corner used twice
   int non_finite_vertices = 0;
-  int components = 0;                  ///< of triangles joined by edges or vertices
-  int boundary_edges = 0;              ///< edges with one triangle; 0 = closed
-  int non_manifold_edges = 0;          ///< edges with three or more triangles
-  int non_manifold_vertices = 0;       ///< triangles do not form one fan
-  int misoriented_edges = 0;           ///< two triangles run along the edge in the same direction
-  int degenerate_triangles = 0;        ///< area below 1e-12 of the squared bounding-box diagonal, or a repeated corner
-  int duplicate_triangles = 0;         ///< the same three corners as an earlier one
-  int duplicate_vertices = 0;          ///< exactly the coordinates of an earlier one
-  int euler_number = 0;                ///< V - E + F of the used vertices
-  std::optional<int> genus;            ///< only for one closed, manifold, oriented component: (2 - euler) / 2
-  double area = 0;                     ///< in squared file units
-  double volume = 0;                   ///< signed; meaningful when closed
-  bool inward = false;                 ///< closed and wound inward (negative volume)
+  int components = 0;             ///< of triangles joined by edges or vertices
+  int boundary_edges = 0;         ///< edges with one triangle; 0 = closed
+  int non_manifold_edges = 0;     ///< edges with three or more triangles
+  int non_manifold_vertices = 0;  ///< triangles do not form one fan
+  int misoriented_edges = 0;      ///< two triangles run along the edge in the same direction
+  int degenerate_triangles =
+      0;  ///< area below 1e-12 of the squared bounding-box diagonal, or a repeated corner
+  int duplicate_triangles = 0;  ///< the same three corners as an earlier one
+  int duplicate_vertices = 0;   ///< exactly the coordinates of an earlier one
+  int euler_number = 0;         ///< V - E + F of the used vertices
+  std::optional<int> genus;     ///< only for one closed, manifold, oriented component: (2 - euler) / 2
+  double area = 0;              ///< in squared file units
+  double volume = 0;            ///< signed; meaningful when closed
+  bool inward = false;          ///< closed and wound inward (negative volume)
   BoundingBox box{Vec3::Zero(), Vec3::Zero()};
   double mean_edge = 0;
 
@@ -39,8 +40,8 @@ struct MeshReport {
 
 MeshReport inspect_mesh(const TriangleSoup& soup);
 
-/// Why this surface cannot be used for a model, and what to do about it; empty if it can (one closed, manifold,
-/// oriented genus-1 surface of finite, valid elements; inward winding is not an obstacle).
+/// Why this surface cannot be used for a model, and what to do about it; empty if it can (one closed,
+/// manifold, oriented genus-1 surface of finite, valid elements; inward winding is not an obstacle).
 struct Obstacle {
   std::string finding;  ///< e.g. "genus 3"
   std::string remedy;   ///< e.g. "cervical vertebrae ... ; run `foramen repair`"
