@@ -35,7 +35,7 @@ double total_area(const Mesh& mesh) {
 
 double signed_volume(const Mesh& mesh) {
   // Relative to the first vertex, so that a mesh far from the origin loses no digits.
-  const Vec3 origin = mesh.position(VertexId(0));
+  const Vec3& origin = mesh.position(VertexId(0));
   double sum = 0;
   for (FaceId f : mesh.faces()) {
     const auto t = mesh.triangle(f);

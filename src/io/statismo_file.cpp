@@ -86,6 +86,7 @@ void write_representer(H5Writer& file, const StatismoModel& model) {
   file.matrix("/representer/points", columns<float>(model.points));
   // Signed, though statismo writes unsigned: Scalismo cannot take those.
   std::vector<Eigen::Vector3i> cells;
+  cells.reserve(model.triangles.size());
   for (const auto& t : model.triangles) cells.emplace_back(t[0], t[1], t[2]);
   file.matrix("/representer/cells", columns<std::int32_t>(cells));
   file.group("/representer/pointData");
