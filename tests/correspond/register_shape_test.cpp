@@ -4,27 +4,13 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "support/meshes.hpp"
+#include "support/lopsided_torus.hpp"
 
 namespace foramen {
 namespace {
 
-using testing::bumpy_torus_soup;
+using testing::lopsided_torus_soup;
 using testing::renumbered;
-using testing::torus_soup;
-
-// A lopsided torus: no rotation but the identity maps it onto itself, so that alignment has one answer.
-TriangleSoup lopsided(int around, int tube) {
-  TriangleSoup soup = torus_soup(around, tube);
-  for (Vec3& p : soup.points) {
-    const double u = std::atan2(p.y(), p.x());
-    p.x() *= 1.5;
-    p += Vec3(4 * std::cos(2 * u), 3 * std::sin(3 * u),
-              6 * std::exp(std::cos(u - 0.7) - 1) + 2 * std::sin(2 * u + 1));
-    p.z() += 0.02 * p.x() * p.x();
-  }
-  return soup;
-}
 
 RigidTransform some_pose() {
   RigidTransform pose = RigidTransform::Identity();
@@ -42,7 +28,7 @@ double largest_difference_in_turns(const TorusMap& a, const std::vector<int>& to
 }
 
 TEST(RegisterShape, AMovedCopyOfTheReferenceGetsTheReferencesCoordinates) {
-  const Mesh mesh = build_mesh(lopsided(40, 24));
+  const Mesh mesh = build_mesh(lopsided_torus_soup(40, 24));
   const RunContext ctx(1);
   const Reference reference = map_reference(mesh, ctx);
   EXPECT_TRUE(reference.shape_map.certificate.valid());
@@ -59,9 +45,9 @@ TEST(RegisterShape, AMovedCopyOfTheReferenceGetsTheReferencesCoordinates) {
 TEST(RegisterShape, ThePapersWayMapsWithoutFlips) {
   const RunContext ctx(1);
   const RegisterOptions options = paper_options();
-  const Reference reference = map_reference(build_mesh(lopsided(20, 12)), ctx, options);
+  const Reference reference = map_reference(build_mesh(lopsided_torus_soup(20, 12)), ctx, options);
   const RegisteredShape shape = register_shape(
-      transformed(build_mesh(renumbered(lopsided(22, 13), 1)), some_pose()), reference, ctx, options);
+      transformed(build_mesh(renumbered(lopsided_torus_soup(22, 13), 1)), some_pose()), reference, ctx, options);
   EXPECT_EQ(shape.shape_map.certificate.flipped, 0);
   EXPECT_LE(shape.shape_map.final_energy, shape.shape_map.initial_energy);
 }
