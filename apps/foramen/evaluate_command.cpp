@@ -26,19 +26,27 @@ int evaluate(const EvaluateCommand& command) {
 void add_evaluate(CLI::App& program, Run& run) {
   auto options = std::make_shared<EvaluateCommand>();
   EvaluateFolderRequest& request = options->request;
-  CLI::App* command = program.add_subcommand(
-      "evaluate", "compactness, generalization, specificity of any folder of corresponding meshes, ours or another tool's");
-  command->add_option("corresponding", request.corresponding, "folder of meshes with identical triangles (or a model's folder)")
+  CLI::App* command = program.add_subcommand("evaluate",
+                                             "compactness, generalization, specificity of any folder of "
+                                             "corresponding meshes, ours or another tool's");
+  command
+      ->add_option("corresponding", request.corresponding,
+                   "folder of meshes with identical triangles (or a model's folder)")
       ->required();
-  command->add_option("--shapes", request.shapes, "folder of the original surfaces, by the same names; without it distances are to the corresponding meshes");
+  command->add_option("--shapes", request.shapes,
+                      "folder of the original surfaces, by the same names; without it distances are to the "
+                      "corresponding meshes");
   command->add_option("--truth", request.truth, "folder of the true correspondence, by the same names");
   command->add_option("-o,--output", request.output, "folder for metrics.json and metrics.csv");
-  command->add_option("--samples", request.options.draws, "random shapes for specificity")->check(CLI::Range(1, 1000000));
+  command->add_option("--samples", request.options.draws, "random shapes for specificity")
+      ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", request.options.seed, "seed of all random numbers");
-  command->add_option("--subject-regex", request.subject_pattern, "the part of a file name that names its subject");
+  command->add_option("--subject-regex", request.subject_pattern,
+                      "the part of a file name that names its subject");
   command->add_option("--scale", request.options.scale, "keep or remove the shapes' size")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ScaleMode>{{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}}, CLI::ignore_case));
+          std::map<std::string, ScaleMode>{{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
+          CLI::ignore_case));
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return evaluate(*options); }; });
 }

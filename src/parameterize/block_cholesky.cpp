@@ -1,4 +1,4 @@
-#include "block_cholesky.hpp"
+#include "parameterize/block_cholesky.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "nested_dissection.hpp"
+#include "parameterize/nested_dissection.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,4 @@
-#include "flip_free_step.hpp"
+#include "parameterize/flip_free_step.hpp"
 
 #include <algorithm>
 #include <cmath>

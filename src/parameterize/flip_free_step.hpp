@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "map_energy.hpp"
+#include "parameterize/map_energy.hpp"
 
 namespace foramen {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "foramen/core/error.hpp"
-#include "periodic_laplacian.hpp"
+#include "parameterize/periodic_laplacian.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,4 @@
-#include "map_energy.hpp"
+#include "parameterize/map_energy.hpp"
 
 #include <cmath>
 #include <limits>

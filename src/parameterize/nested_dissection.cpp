@@ -1,4 +1,4 @@
-#include "nested_dissection.hpp"
+#include "parameterize/nested_dissection.hpp"
 
 #include <algorithm>
 #include <cstdint>

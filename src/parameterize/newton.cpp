@@ -1,4 +1,4 @@
-#include "newton.hpp"
+#include "parameterize/newton.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "flip_free_step.hpp"
 #include "foramen/core/error.hpp"
-#include "newton_system.hpp"
+#include "parameterize/flip_free_step.hpp"
+#include "parameterize/newton_system.hpp"
 
 namespace foramen {
 namespace {

@@ -3,7 +3,7 @@
 /// Projected Newton on the map energy.
 
 #include "foramen/core/run_context.hpp"
-#include "map_energy.hpp"
+#include "parameterize/map_energy.hpp"
 
 namespace foramen {
 

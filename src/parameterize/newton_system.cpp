@@ -1,4 +1,4 @@
-#include "newton_system.hpp"
+#include "parameterize/newton_system.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "block_cholesky.hpp"
-#include "map_energy.hpp"
+#include "parameterize/block_cholesky.hpp"
+#include "parameterize/map_energy.hpp"
 
 namespace foramen {
 

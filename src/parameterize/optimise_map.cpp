@@ -6,9 +6,9 @@
 #include <Eigen/LU>
 
 #include "foramen/core/error.hpp"
-#include "map_energy.hpp"
-#include "newton.hpp"
-#include "polak_ribiere.hpp"
+#include "parameterize/map_energy.hpp"
+#include "parameterize/newton.hpp"
+#include "parameterize/polak_ribiere.hpp"
 
 namespace foramen {
 

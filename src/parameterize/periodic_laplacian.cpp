@@ -1,4 +1,4 @@
-#include "periodic_laplacian.hpp"
+#include "parameterize/periodic_laplacian.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,4 @@
-#include "polak_ribiere.hpp"
+#include "parameterize/polak_ribiere.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "flip_free_step.hpp"
+#include "parameterize/flip_free_step.hpp"
 
 namespace foramen {
 namespace {
@@ -94,7 +94,7 @@ LinePoint search_line(NodeEnergy& node, const Vec2& position, const NodeEnergy::
                               ? -slope * trial.step * trial.step / (2 * excess)
                               : 0.5 * trial.step;
     const bool enough = decreases(trial);
-    const LinePoint next =
+    LinePoint next =
         evaluate(std::clamp(bottom, 0.05 * trial.step, enough ? 0.9 * border : 0.5 * trial.step));
     if (enough) return decreases(next) && next.value.energy < trial.value.energy ? next : trial;
     if (decreases(next)) return next;

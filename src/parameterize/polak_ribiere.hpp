@@ -2,7 +2,7 @@
 /// \file
 /// Node-wise descent, the paper's way: every node in turn moves inside the kernel of its one-ring.
 
-#include "newton.hpp"
+#include "parameterize/newton.hpp"
 
 namespace foramen {
 

@@ -5,7 +5,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/initial_map.hpp"
-#include "periodic_laplacian.hpp"
+#include "parameterize/periodic_laplacian.hpp"
 
 namespace foramen {
 namespace {

@@ -290,11 +290,11 @@ Vec2 Refiner::place(VertexId v, const OneRing& ring) const {
   };
   if (const std::optional<Vec2> centre = kernel_centre(ring); centre && strictly_inside(ring, *centre)) {
     const Vec2 start = well_inside(ring, *centre, mean_value_position(input_, v, ring));
-    const Vec2 best = rounded(relaxed(StarEnergy(input_, v, ring, surface_scale_), start));
+    Vec2 best = rounded(relaxed(StarEnergy(input_, v, ring, surface_scale_), start));
     if (is_good(best)) return best;
     if (is_good(rounded(start))) return rounded(start);
   }
-  const Vec2 turns = rounded(near_first_vertex(ring));
+  Vec2 turns = rounded(near_first_vertex(ring));
   if (!is_good(turns))
     throw ConvergenceError("refine_map: no room for vertex " + std::to_string(v.index) + " beside vertex " +
                            std::to_string(ring.vertices[0].index) +

@@ -19,22 +19,25 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
   const auto files = find_meshes({folder});
   std::vector<Mesh> surfaces;
   for (const std::string& name : names) {
-    const auto file = std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return f.stem() == name; });
-    if (file == files.end()) throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name);
+    const auto file =
+        std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return f.stem() == name; });
+    if (file == files.end())
+      throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name);
     surfaces.push_back(build_mesh(read_mesh(*file).soup));
   }
   return surfaces;
 }
 
 std::string summary(const Evaluation& e) {
-  std::string text = std::to_string(e.names.size()) + " shapes, " + std::to_string(e.landmarks) + " landmarks\n";
+  std::string text =
+      std::to_string(e.names.size()) + " shapes, " + std::to_string(e.landmarks) + " landmarks\n";
   const Representation& r = e.representation;
-  text += "representation error: mean " + fixed(r.mean_surface, 3) + ", p95 " + fixed(r.p95, 3) + ", Hausdorff " +
-          fixed(r.hausdorff, 2) + " mm\nflipped triangles a shape: plain " + fixed(r.plain_flips, 1) + ", confirmed " +
-          fixed(r.confirmed_flips, 1) + "\n";
+  text += "representation error: mean " + fixed(r.mean_surface, 3) + ", p95 " + fixed(r.p95, 3) +
+          ", Hausdorff " + fixed(r.hausdorff, 2) + " mm\nflipped triangles a shape: plain " +
+          fixed(r.plain_flips, 1) + ", confirmed " + fixed(r.confirmed_flips, 1) + "\n";
   if (e.truth)
-    text += "truth error: mean " + fixed(e.truth->error.mean, 3) + ", p95 " + fixed(e.truth->error.p95, 3) + ", max " +
-            fixed(e.truth->error.max, 2) + " mm\n";
+    text += "truth error: mean " + fixed(e.truth->error.mean, 3) + ", p95 " + fixed(e.truth->error.p95, 3) +
+            ", max " + fixed(e.truth->error.max, 2) + " mm\n";
   for (const ReportTable& table : model_tables({{"mm", &e}})) {
     text += "\n" + table.title + "\n";
     for (const auto& row : table.rows) text += "  " + row[0] + "\t" + row[1] + "\n";
@@ -46,10 +49,12 @@ std::string summary(const Evaluation& e) {
 
 EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunContext& ctx) {
   const fs::path inner = request.corresponding / "corresponding";
-  const CorrespondingFolder folder = read_corresponding(fs::is_directory(inner) ? inner : request.corresponding);
+  const CorrespondingFolder folder =
+      read_corresponding(fs::is_directory(inner) ? inner : request.corresponding);
   CorrespondingCohort cohort{folder.names, {}, folder.triangles, folder.shapes, {}};
   if (!request.subject_pattern.empty())
-    for (const std::string& name : folder.names) cohort.subjects.push_back(subject_of(name, request.subject_pattern));
+    for (const std::string& name : folder.names)
+      cohort.subjects.push_back(subject_of(name, request.subject_pattern));
   if (!request.shapes.empty())
     cohort.inputs = original_surfaces(request.shapes, folder.names);
   else

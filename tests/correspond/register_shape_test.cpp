@@ -46,8 +46,9 @@ TEST(RegisterShape, ThePapersWayMapsWithoutFlips) {
   const RunContext ctx(1);
   const RegisterOptions options = paper_options();
   const Reference reference = map_reference(build_mesh(lopsided_torus_soup(20, 12)), ctx, options);
-  const RegisteredShape shape = register_shape(
-      transformed(build_mesh(renumbered(lopsided_torus_soup(22, 13), 1)), some_pose()), reference, ctx, options);
+  const RegisteredShape shape =
+      register_shape(transformed(build_mesh(renumbered(lopsided_torus_soup(22, 13), 1)), some_pose()),
+                     reference, ctx, options);
   EXPECT_EQ(shape.shape_map.certificate.flipped, 0);
   EXPECT_LE(shape.shape_map.final_energy, shape.shape_map.initial_energy);
 }

@@ -71,8 +71,8 @@ TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
     sum += r.shapes[i].distance.hausdorff / 3;
   }
   EXPECT_NEAR(r.hausdorff.mean, sum, 1e-12);
-  EXPECT_EQ(r.shapes[0].plain_flips, 0);
-  EXPECT_GT(r.shapes[1].plain_flips, 0);
+  EXPECT_EQ(r.shapes[0].confirmed_flips, 0);
+  EXPECT_GT(r.shapes[1].plain_flips, r.shapes[0].plain_flips);
   EXPECT_GT(r.shapes[1].opposing_mean, 0);
   EXPECT_EQ(r.shapes[2].opposing_mean, 0);
 }

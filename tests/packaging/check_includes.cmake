@@ -1,6 +1,7 @@
 # cmake -D ROOT=... -D MODULES="core;io;..." -P check_includes.cmake
 #
 # A module may include only itself and the modules before it in the list, and never another module's private headers.
+cmake_policy(VERSION 3.25)
 set(violations "")
 set(seen "")
 foreach(module IN LISTS MODULES)

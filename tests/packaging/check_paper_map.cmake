@@ -2,6 +2,7 @@
 #
 # docs/paper-map.md and the code point at each other: every tag [key Eq. N] in a source has a row that begins with that tag, every such
 # row's tag stands in a source, every file a row names exists, and every key that a source cites is in docs/bibliography.bib.
+cmake_policy(VERSION 3.25)
 file(READ ${ROOT}/docs/paper-map.md map)
 file(READ ${ROOT}/docs/bibliography.bib bibliography)
 file(GLOB_RECURSE sources ${ROOT}/include/*.hpp ${ROOT}/src/*.hpp ${ROOT}/src/*.cpp)

@@ -18,7 +18,7 @@ using testing::renumbered;
 InputShape shape(const std::string& stem, const TriangleSoup& soup) {
   InputShape input;
   input.stem = stem;
-  input.file_name = stem + ".ply";
+  input.file_name = std::string(stem).append(".ply");
   input.mesh = build_mesh(soup);
   return input;
 }
@@ -27,8 +27,9 @@ InputShape shape(const std::string& stem, const TriangleSoup& soup) {
 Cohort family() {
   Cohort cohort;
   for (int i = 0; i < 4; ++i) {
-    InputShape input = shape("s" + std::to_string(i),
-                             renumbered(lopsided_torus_soup(44 + 2 * i, 24, 0.8 + 0.15 * i), static_cast<std::uint64_t>(i)));
+    InputShape input =
+        shape(std::string("s").append(std::to_string(i)),
+              renumbered(lopsided_torus_soup(44 + 2 * i, 24, 0.8 + 0.15 * i), static_cast<std::uint64_t>(i)));
     RigidTransform pose = RigidTransform::Identity();
     pose.rotate(Eigen::AngleAxisd(0.9 * i, Vec3(1, 2, -1).normalized())).pretranslate(Vec3(30 * i, -10, 5));
     input.mesh = transformed(input.mesh, pose);

@@ -65,7 +65,8 @@ TEST(ReadShape, UnitsAreConvertedAndImplausibleOnesRefused) {
   for (Vec3& p : soup.points) p /= 10;
   write_ply(folder.file("cm.ply"), soup);
   EXPECT_NEAR(total_area(read_shape(folder.file("cm.ply"), LengthUnit::centimetre).mesh) / area_mm, 1, 1e-5);
-  EXPECT_THAT(refusal([&] { read_shape(folder.file("cm.ply"), LengthUnit::millimetre); }), HasSubstr("--units cm"));
+  EXPECT_THAT(refusal([&] { read_shape(folder.file("cm.ply"), LengthUnit::millimetre); }),
+              HasSubstr("--units cm"));
 }
 
 TEST(ReadCohort, OneBadFileIsLeftOutWithItsReason) {

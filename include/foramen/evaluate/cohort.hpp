@@ -13,18 +13,19 @@
 namespace foramen {
 
 struct CorrespondingCohort {
-  std::vector<std::string> names;                ///< one per shape
-  std::vector<std::string> subjects;             ///< whose shape it is; empty: not known
-  std::vector<std::array<int, 3>> triangles;     ///< of landmarks, the same for all shapes
-  std::vector<std::vector<Vec3>> corresponding;  ///< landmarks of each shape, in its input's own coordinates, mm
-  std::vector<Mesh> inputs;                      ///< the original surfaces, mm
+  std::vector<std::string> names;             ///< one per shape
+  std::vector<std::string> subjects;          ///< whose shape it is; empty: not known
+  std::vector<std::array<int, 3>> triangles;  ///< of landmarks, the same for all shapes
+  std::vector<std::vector<Vec3>>
+      corresponding;         ///< landmarks of each shape, in its input's own coordinates, mm
+  std::vector<Mesh> inputs;  ///< the original surfaces, mm
 
   int size() const { return static_cast<int>(corresponding.size()); }
   int landmarks() const { return corresponding.empty() ? 0 : static_cast<int>(corresponding[0].size()); }
 };
 
-/// Throws InvalidInput, naming the shape, unless there are at least 3 shapes, all parts have one entry per shape, all shapes have
-/// the same number of landmarks, and the triangles form a manifold mesh of them.
+/// Throws InvalidInput, naming the shape, unless there are at least 3 shapes, all parts have one entry per
+/// shape, all shapes have the same number of landmarks, and the triangles form a manifold mesh of them.
 void check_cohort(const CorrespondingCohort& cohort);
 
 /// The corresponding mesh of one shape, in its input's coordinates.
@@ -42,7 +43,8 @@ AlignedCohort align_cohort(const CorrespondingCohort& cohort, ScaleMode scale);
 /// The surface moved by a similarity.
 Mesh transformed(const Mesh& mesh, const SimilarityTransform& transform);
 
-/// The numbers of modes for which a figure is given: 1 .. 20, then powers of two, and the last. Empty if last < 1.
+/// The numbers of modes for which a figure is given: 1 .. 20, then powers of two, and the last. Empty if last
+/// < 1.
 std::vector<int> mode_counts(int last);
 
 /// A mean with its standard error s / sqrt(n), s with divisor n - 1 (0 for a single value).

@@ -14,8 +14,9 @@ struct CompactnessAtModes {
   double fraction = 0;               ///< of the total variance, 0 .. 1
 };
 
-/// \f$ C(M) = \frac{1}{P} \sum_{m \le M} \lambda_m \f$ for mode_counts(last_mode) \cite davies2008. Variances have the divisor n - 1. Modes
-/// the model does not have hold no variance. A model without variation has fraction 1. Loss of detail improves compactness: it says nothing alone.
+/// \f$ C(M) = \frac{1}{P} \sum_{m \le M} \lambda_m \f$ for mode_counts(last_mode) \cite davies2008. Variances
+/// have the divisor n - 1. Modes the model does not have hold no variance. A model without variation has
+/// fraction 1. Loss of detail improves compactness: it says nothing alone.
 std::vector<CompactnessAtModes> compactness(const ShapeModel& model, int last_mode);
 
 }  // namespace foramen

@@ -17,9 +17,9 @@ namespace foramen {
 
 struct EvaluationOptions {
   ScaleMode scale = ScaleMode::keep;
-  int draws = 1000;                    ///< for specificity, > 0
-  int samples = 20000;                 ///< of each surface for its distances, > 0
-  int specificity_samples = 2000;      ///< the same for specificity, > 0
+  int draws = 1000;                ///< for specificity, > 0
+  int samples = 20000;             ///< of each surface for its distances, > 0
+  int specificity_samples = 2000;  ///< the same for specificity, > 0
   std::uint64_t seed = 1;
 };
 
@@ -30,21 +30,23 @@ struct EvaluationSeconds {
 struct Evaluation {
   EvaluationOptions options;
   std::vector<std::string> names;
-  std::vector<std::string> subjects;   ///< empty: not known
+  std::vector<std::string> subjects;  ///< empty: not known
   int landmarks = 0;
-  double total_variance = 0;           ///< per landmark, mm^2
+  double total_variance = 0;  ///< per landmark, mm^2
   std::vector<CompactnessAtModes> compactness;
   Generalization leave_one_out;
-  std::optional<Generalization> leave_subject_out;   ///< unset: subjects not known, or fewer than 2, or too few shapes remain
+  std::optional<Generalization>
+      leave_subject_out;  ///< unset: subjects not known, or fewer than 2, or too few shapes remain
   Specificity specificity;
   std::vector<EnsembleAtModes> ensemble;
   Representation representation;
-  std::optional<TruthError> truth;     ///< unset: no truth was given
-  EvaluationSeconds seconds;           ///< how long it took; differs from run to run, nothing else does
+  std::optional<TruthError> truth;  ///< unset: no truth was given
+  EvaluationSeconds seconds;        ///< how long it took; differs from run to run, nothing else does
 };
 
-/// Every measure, as docs/evaluation.md defines it. Throws InvalidInput for fewer than 3 shapes or a cohort that does not fit together.
-Evaluation evaluate_model(const CorrespondingCohort& cohort, const EvaluationOptions& options, const RunContext& ctx,
-                          const TrueCorrespondence* truth = nullptr);
+/// Every measure, as docs/evaluation.md defines it. Throws InvalidInput for fewer than 3 shapes or a cohort
+/// that does not fit together.
+Evaluation evaluate_model(const CorrespondingCohort& cohort, const EvaluationOptions& options,
+                          const RunContext& ctx, const TrueCorrespondence* truth = nullptr);
 
 }  // namespace foramen

@@ -18,22 +18,24 @@ enum class LeaveOut {
 struct GeneralizationOptions {
   LeaveOut leave_out = LeaveOut::shape;
   ScaleMode scale = ScaleMode::keep;
-  int samples = 20000;      ///< of each surface for its distances, > 0
-  std::uint64_t seed = 1;   ///< of those samples
+  int samples = 20000;     ///< of each surface for its distances, > 0
+  std::uint64_t seed = 1;  ///< of those samples
 };
 
 struct Generalization {
   LeaveOut leave_out = LeaveOut::shape;
-  int groups = 0;                        ///< models that were built: shapes, or subjects
-  std::vector<ErrorsAtModes> by_modes;   ///< items in the order of the cohort's shapes
+  int groups = 0;                       ///< models that were built: shapes, or subjects
+  std::vector<ErrorsAtModes> by_modes;  ///< items in the order of the cohort's shapes
 };
 
-/// \f$ G(M) = \frac{1}{n} \sum_i d(\mathrm{input}_i, \hat x_i(M)) \f$ \cite davies2008. The alignment and the PCA are made without the shapes left out;
-/// shape i is then aligned to that mean, projected on M modes, and the reconstruction compared with its original input surface, moved by the
-/// same alignment. The standard error is s / sqrt(n) over shapes. M runs to the modes the smallest of these models can have:
-/// n - 2 when one shape is left out. A model that has fewer (dependent shapes) is used with those it has.
-/// The correspondence is not computed anew: it has seen the shape.
-/// Throws InvalidInput: fewer than 3 shapes; subjects unknown, or so few that 2 shapes do not remain.
-Generalization generalization(const CorrespondingCohort& cohort, const GeneralizationOptions& options, const RunContext& ctx);
+/// \f$ G(M) = \frac{1}{n} \sum_i d(\mathrm{input}_i, \hat x_i(M)) \f$ \cite davies2008. The alignment and the
+/// PCA are made without the shapes left out; shape i is then aligned to that mean, projected on M modes, and
+/// the reconstruction compared with its original input surface, moved by the same alignment. The standard
+/// error is s / sqrt(n) over shapes. M runs to the modes the smallest of these models can have: n - 2 when
+/// one shape is left out. A model that has fewer (dependent shapes) is used with those it has. The
+/// correspondence is not computed anew: it has seen the shape. Throws InvalidInput: fewer than 3 shapes;
+/// subjects unknown, or so few that 2 shapes do not remain.
+Generalization generalization(const CorrespondingCohort& cohort, const GeneralizationOptions& options,
+                              const RunContext& ctx);
 
 }  // namespace foramen

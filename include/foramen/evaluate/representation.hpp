@@ -20,7 +20,7 @@ struct ShapeRepresentation {
 
 struct Representation {
   std::vector<ShapeRepresentation> shapes;
-  Estimate mean_surface, p95, hausdorff;          ///< over shapes, mm
+  Estimate mean_surface, p95, hausdorff;                 ///< over shapes, mm
   Estimate plain_flips, confirmed_flips, opposing_mean;  ///< over shapes, triangles
 };
 

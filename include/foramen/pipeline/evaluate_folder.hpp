@@ -11,10 +11,12 @@
 namespace foramen {
 
 struct EvaluateFolderRequest {
-  std::filesystem::path corresponding;  ///< folder of corresponding meshes, or a model's folder (its corresponding/)
-  std::filesystem::path shapes;         ///< folder of the original surfaces; empty: distances are to the corresponding meshes
-  std::filesystem::path truth;          ///< folder of the true correspondence; empty: unknown
-  std::filesystem::path output;         ///< folder for the metrics; empty: not written
+  std::filesystem::path
+      corresponding;  ///< folder of corresponding meshes, or a model's folder (its corresponding/)
+  std::filesystem::path
+      shapes;  ///< folder of the original surfaces; empty: distances are to the corresponding meshes
+  std::filesystem::path truth;   ///< folder of the true correspondence; empty: unknown
+  std::filesystem::path output;  ///< folder for the metrics; empty: not written
   std::string subject_pattern;
   EvaluationOptions options = {};
 };
