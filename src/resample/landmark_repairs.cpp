@@ -196,7 +196,7 @@ Repair best_insertion(const Search& search, int face, bool must_help) {
 Repair best_repair(const TorusTriangulation& mesh, const LiftedLandmarks& lifted, const GuiltTable& guilt,
                    int face, Insertion insertion) {
   const Search search(mesh, lifted, guilt);
-  const Repair free = best_free_repair(search, mesh, face);
+  Repair free = best_free_repair(search, mesh, face);
   if (free.kind != RepairKind::none || insertion == Insertion::none) return free;
   return best_insertion(search, face, insertion == Insertion::helpful);
 }
