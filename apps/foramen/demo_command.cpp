@@ -36,6 +36,7 @@ int demo(const DemoCommand& command) {
 
 void add_demo(CLI::App& program, Run& run) {
   auto options = std::make_shared<DemoCommand>();
+  options->flags.evaluation.draws = 100;  // a tenth of a build's: the demo is to take about a minute
   CLI::App* command = program.add_subcommand(
       "demo", "a synthetic cohort, its model and report: needs no input, ends with the report's path");
   command->add_option("-n,--shapes", options->synth.shapes, "number of shapes")->check(CLI::Range(3, 1000));
