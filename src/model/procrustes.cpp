@@ -67,7 +67,7 @@ Mat3 best_rotation(std::span<const Vec3> moving, const Vec3& moving_centre, std:
   for (std::size_t i = 0; i < moving.size(); ++i)
     h += weight_of(weights, i) * (moving[i] - moving_centre) * (fixed[i] - fixed_centre).transpose();
   const Eigen::JacobiSVD<Mat3> svd(h, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Mat3 u = svd.matrixU(), v = svd.matrixV();
+  const Mat3 &u = svd.matrixU(), &v = svd.matrixV();
   // The smallest singular value pays for a reflection that plain least squares would choose.
   const double handedness = (v * u.transpose()).determinant() < 0 ? -1.0 : 1.0;
   return v * Vec3(1, 1, handedness).asDiagonal() * u.transpose();
