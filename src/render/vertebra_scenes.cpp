@@ -50,7 +50,7 @@ Scene torus_map_scene(const TriangleSoup& surface, std::span<const Vec2> turns, 
   flat.edges = true;
   for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
     const auto& t = surface.triangles[f];
-    const Vec2 a = turns[static_cast<std::size_t>(t[0])];
+    const Vec2& a = turns[static_cast<std::size_t>(t[0])];
     const Vec2 b = turns[static_cast<std::size_t>(t[1])] + jumps[3 * f].cast<double>();
     const Vec2 c = turns[static_cast<std::size_t>(t[2])] - jumps[3 * f + 2].cast<double>();
     const int first = static_cast<int>(flat.soup.points.size());
