@@ -90,7 +90,6 @@ BuildOptions BuildFlags::resolved() const {
   if (lambda_option->count() > 0) options.registration.lambda = lambda;
   if (map_option->count() > 0) options.registration.initial_map = initial_map;
   if (optimiser_option->count() > 0) options.registration.optimiser = optimiser;
-  options.remeshing.seed = options.seed;
   return options;
 }
 

@@ -15,8 +15,6 @@
 namespace foramen {
 namespace {
 
-constexpr double normal_weight_mm = 8.0;
-
 // A first map of a working mesh in the reference's basis, unit lattice, with the matrices that justify it.
 struct NamedMap {
   TorusMap map;
@@ -44,7 +42,8 @@ NamedMap first_map(const Mesh& aligned, const ReferenceLoops& reference, const R
 TorusMap translated_onto(TorusMap map, const Mesh& aligned, const Mesh& reference,
                          const TorusMap& reference_map) {
   const auto normals = vertex_normals(aligned), reference_normals = vertex_normals(reference);
-  const OrientedPointIndex index(reference.positions(), reference_normals.values(), normal_weight_mm);
+  const OrientedPointIndex index(reference.positions(), reference_normals.values(),
+                                 vertebra_normal_weight_mm);
   const auto areas = vertex_areas(aligned);
   Vec2 cosine = Vec2::Zero(), sine = Vec2::Zero();
   for (VertexId v : aligned.vertices()) {

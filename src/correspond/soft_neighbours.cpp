@@ -11,8 +11,6 @@
 namespace foramen {
 namespace {
 
-constexpr double normal_weight_mm = 8.0;
-
 std::vector<std::vector<NearPoint>> neighbours(const Mesh& shape, const Mesh& reference,
                                                NeighbourSearch search, int count) {
   std::vector<std::vector<NearPoint>> found;
@@ -22,7 +20,8 @@ std::vector<std::vector<NearPoint>> neighbours(const Mesh& shape, const Mesh& re
     for (VertexId v : shape.vertices()) found.push_back(index.nearest(shape.position(v), count));
   } else {
     const auto normals = vertex_normals(shape), reference_normals = vertex_normals(reference);
-    const OrientedPointIndex index(reference.positions(), reference_normals.values(), normal_weight_mm);
+    const OrientedPointIndex index(reference.positions(), reference_normals.values(),
+                                   vertebra_normal_weight_mm);
     for (VertexId v : shape.vertices()) found.push_back(index.nearest(shape.position(v), normals[v], count));
   }
   return found;

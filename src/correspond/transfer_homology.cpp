@@ -10,9 +10,6 @@
 namespace foramen {
 namespace {
 
-// mm per unit of normal difference: keeps a loop from jumping to the opposite wall of a thin arch.
-constexpr double normal_weight_mm = 8.0;
-
 EdgeLoop transfer_loop(const Mesh& shape, const OrientedPointIndex& index, VertexPaths& paths,
                        const ReferenceLoops& reference, const VertexMap<Vec3>& reference_normals,
                        const EdgeLoop& loop) {
@@ -70,7 +67,7 @@ HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& for
                                    const ReferenceLoops& reference) {
   const auto reference_normals = vertex_normals(reference.mesh);
   const auto normals = vertex_normals(aligned_shape);
-  const OrientedPointIndex index(aligned_shape.positions(), normals.values(), normal_weight_mm);
+  const OrientedPointIndex index(aligned_shape.positions(), normals.values(), vertebra_normal_weight_mm);
   const auto lengths = edge_lengths(aligned_shape);
   VertexPaths paths(aligned_shape, lengths);
   HomologyTransfer transfer;
@@ -99,7 +96,8 @@ Eigen::Matrix2i inverse_unimodular(const Eigen::Matrix2i& a) {
 Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference,
                    const TorusMap& reference_map) {
   const auto normals = vertex_normals(aligned_shape), reference_normals = vertex_normals(reference);
-  const OrientedPointIndex index(reference.positions(), reference_normals.values(), normal_weight_mm);
+  const OrientedPointIndex index(reference.positions(), reference_normals.values(),
+                                 vertebra_normal_weight_mm);
   const auto here = vertex_gradients(aligned_shape, map), there = vertex_gradients(reference, reference_map);
   const auto areas = vertex_areas(aligned_shape);
   Vec2 sum = Vec2::Zero();

@@ -30,7 +30,6 @@ struct RemeshOptions {
   double density_floor = 0.15;
   int smoothing_rounds = 5;    ///< of the density, half-way to the neighbours' mean each
   int relaxation_rounds = 80;  ///< Lloyd
-  std::uint64_t seed = 1;      ///< unused: no step draws at random
   /// Standard deviation of the kernel over which the curvature tensor is averaged before its curvature is
   /// taken, relative to the square root of the surface's area; > 0. It decides what is a feature and what a
   /// voxel's step: about 1 mm on a vertebra.

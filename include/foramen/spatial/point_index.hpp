@@ -31,6 +31,9 @@ class PointIndex {
   std::unique_ptr<Impl> impl_;
 };
 
+/// mm per unit of normal difference: keeps a search on its own side of a vertebra's thin walls.
+inline constexpr double vertebra_normal_weight_mm = 8.0;
+
 /// Nearest points by position and normal together: distance^2 = |p - q|^2 + weight^2 |n - m|^2 (a 6-D
 /// search).
 class OrientedPointIndex {
