@@ -56,6 +56,12 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
 void BuildFlags::add_to(CLI::App& command) {
   command.add_option("--method", build.method, "torus maps, or the ICP baseline")
       ->transform(one_of<Method>({{"torus", Method::torus}, {"icp", Method::icp}}));
+  objective_option = command
+                         .add_option("--objective", objective,
+                                     "what draws the maps together: points of the bent mean's surface, or "
+                                     "the paper's soft neighbours")
+                         ->transform(one_of<Objective>(
+                             {{"surface", Objective::surface}, {"neighbours", Objective::neighbours}}));
   command.add_option("--reference", build.reference, "name of the reference shape, or auto");
   lambda_option = command.add_option("--lambda", lambda, "weight of distortion against correspondence")
                       ->check(CLI::PositiveNumber);
@@ -86,9 +92,13 @@ void BuildFlags::add_to(CLI::App& command) {
 
 BuildOptions BuildFlags::resolved() const {
   BuildOptions options = build;
-  if (paper) options.registration = paper_options();
-  if (lambda_option->count() > 0) options.registration.lambda = lambda;
-  if (map_option->count() > 0) options.registration.initial_map = initial_map;
+  if (paper) {
+    options.registration = paper_options();
+    options.objective = Objective::neighbours;
+  }
+  if (objective_option->count() > 0) options.objective = objective;
+  if (lambda_option->count() > 0) options.registration.lambda = options.group.lambda = lambda;
+  if (map_option->count() > 0) options.registration.initial_map = options.group.initial_map = initial_map;
   if (optimiser_option->count() > 0) options.registration.optimiser = optimiser;
   return options;
 }

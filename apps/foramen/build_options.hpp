@@ -23,7 +23,9 @@ struct BuildFlags {
   double lambda = 0;
   InitialMap initial_map = InitialMap::torus;
   Optimiser optimiser = Optimiser::newton;
-  CLI::Option *lambda_option = nullptr, *map_option = nullptr, *optimiser_option = nullptr;
+  Objective objective = Objective::surface;
+  CLI::Option *objective_option = nullptr, *lambda_option = nullptr, *map_option = nullptr,
+              *optimiser_option = nullptr;
 
   void add_to(CLI::App& command);
   /// --paper sets the paper's choices; what was given by name overrides them.

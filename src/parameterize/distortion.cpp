@@ -28,12 +28,16 @@ double cotangent(const std::array<Vec3, 3>& t, std::size_t k) {
 }
 
 Mat2 jacobian(const RestTriangle& rest, const Vec4& edges) {
-  return Eigen::Map<const Mat2>(edges.data()) * rest.inverse;
+  return rest.to_target * Eigen::Map<const Mat2>(edges.data()) * rest.inverse;
 }
 
-// dE/dq from dE/dJ, since J = Q R: the inner product with J(q) is that of q with M R^T.
+double jacobian_determinant(const RestTriangle& rest, double doubled_plane_area) {
+  return doubled_plane_area * rest.inverse.determinant() * rest.to_target.determinant();
+}
+
+// dE/dq from dE/dJ, since J = T Q R: the inner product of M with J(q) is that of T^T M R^T with q.
 Vec4 along_edges(const RestTriangle& rest, const Mat2& along_jacobian) {
-  const Mat2 m = along_jacobian * rest.inverse.transpose();
+  const Mat2 m = rest.to_target.transpose() * along_jacobian * rest.inverse.transpose();
   return Eigen::Map<const Vec4>(m.data());
 }
 
@@ -96,14 +100,14 @@ RestTriangle rest_triangle(const std::array<Vec3, 3>& surface, double scale) {
 double distortion(const RestTriangle& rest, const Vec4& edges) {
   const double doubled = doubled_area(edges);
   if (!(doubled > 0)) return infinite;
-  const double det = doubled * rest.inverse.determinant();
+  const double det = jacobian_determinant(rest, doubled);
   return jacobian(rest, edges).squaredNorm() * (1 + 1 / (det * det));
 }
 
 DistortionGradient distortion_gradient(const RestTriangle& rest, const Vec4& edges) {
   const double doubled = doubled_area(edges);
   if (!(doubled > 0)) return {infinite, Vec4::Zero()};
-  const double det = doubled * rest.inverse.determinant();
+  const double det = jacobian_determinant(rest, doubled);
   const Mat2 j = jacobian(rest, edges);
   Mat2 cofactor;
   cofactor << j(1, 1), -j(1, 0), -j(0, 1), j(0, 0);
@@ -123,7 +127,7 @@ DistortionTerm damped_distortion_term(const RestTriangle& rest, const Vec4& edge
     term.value = infinite;
     return term;
   }
-  const double det = doubled * rest.inverse.determinant();
+  const double det = jacobian_determinant(rest, doubled);
   const Mat2 j = jacobian(rest, edges);
   const Eigenmatrices e = eigenmatrices(j, det);
   const double norm = j.squaredNorm(), cubed = det * det * det;

@@ -24,6 +24,18 @@ void check_options(const OptimiseMapOptions& options, bool has_objective) {
     throw InvalidInput("the lattice can only be free with the Newton optimiser");
 }
 
+void check_metric(const Mesh& mesh, const TargetMetric& metric, const OptimiseMapOptions& options) {
+  if (options.free_lattice) throw InvalidInput("the lattice can only be free without a target's metric");
+  if (metric.to_target.size() != mesh.face_count() || !(metric.area > 0))
+    throw InvalidInput("the target's metric has " + std::to_string(metric.to_target.size()) +
+                       " matrices for " + std::to_string(mesh.face_count()) + " triangles, and area " +
+                       std::to_string(metric.area));
+  for (FaceId f : mesh.faces())
+    if (!(metric.to_target[f].determinant() > 0))
+      throw InvalidInput("the target's metric at triangle " + std::to_string(f.index) +
+                         " turns the plane over or is not finite");
+}
+
 void check_map(const Mesh& mesh, const TorusMap& map) {
   if (map.turns.size() != mesh.vertex_count() || map.jumps.size() != mesh.halfedge_count())
     throw InvalidInput("the map has " + std::to_string(map.turns.size()) + " positions for " +
@@ -35,12 +47,13 @@ void check_map(const Mesh& mesh, const TorusMap& map) {
 }  // namespace
 
 MapEnergy::MapEnergy(const Mesh& mesh, const TorusMap& start, const OptimiseMapOptions& options,
-                     const CorrespondenceObjective* objective)
+                     const CorrespondenceObjective* objective, const TargetMetric* metric)
     : mesh_(mesh), start_(start), objective_(objective) {
   check_options(options, objective != nullptr);
   check_map(mesh, start);
+  if (metric) check_metric(mesh, *metric, options);
   const bool by_area = options.weighting == Weighting::area;
-  const double surface = total_area(mesh), domain = start.lattice.determinant();
+  const double surface = total_area(mesh), domain = metric ? metric->area : start.lattice.determinant();
   const double scale = std::sqrt(domain / surface), lambda = objective ? options.lambda : 1.0;
   const MapState first = state(start);
   triangles_.reserve(static_cast<std::size_t>(mesh.face_count()));
@@ -51,6 +64,7 @@ MapEnergy::MapEnergy(const Mesh& mesh, const TorusMap& start, const OptimiseMapO
     t.jump = {start.jumps[Mesh::halfedge(f, 0)].cast<double>(),
               -start.jumps[Mesh::halfedge(f, 2)].cast<double>()};
     t.rest = rest_triangle(mesh.triangle(f), scale);
+    if (metric) t.rest.to_target = metric->to_target[f];
     t.weight = lambda * (by_area ? t.rest.area / domain : 1.0);
     const std::string name = "triangle " + std::to_string(f.index);
     if (!t.rest.inverse.allFinite() || !(t.rest.area > 0))

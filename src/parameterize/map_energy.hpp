@@ -30,7 +30,7 @@ class MapEnergy {
   /// \throws InvalidInput for a triangle without area on the surface or flipped in the map, and for options
   /// that contradict.
   MapEnergy(const Mesh& mesh, const TorusMap& start, const OptimiseMapOptions& options,
-            const CorrespondenceObjective* objective);
+            const CorrespondenceObjective* objective, const TargetMetric* metric = nullptr);
 
   /// +inf if a triangle's area in the plane is not positive.
   double value(const MapState& state) const;

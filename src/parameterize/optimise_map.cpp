@@ -13,8 +13,9 @@
 namespace foramen {
 
 OptimisedMap optimise_map(const Mesh& mesh, const TorusMap& start, const RunContext& ctx,
-                          const OptimiseMapOptions& options, const CorrespondenceObjective* objective) {
-  const MapEnergy energy(mesh, start, options, objective);
+                          const OptimiseMapOptions& options, const CorrespondenceObjective* objective,
+                          const TargetMetric* metric) {
+  const MapEnergy energy(mesh, start, options, objective, metric);
   Minimisation found = options.optimiser == Optimiser::newton
                            ? minimise_by_newton(energy, energy.state(start), ctx, options)
                            : minimise_by_sweeps(energy, energy.state(start), ctx, options);

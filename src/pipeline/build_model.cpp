@@ -72,9 +72,13 @@ RegisteredShape only_aligned(const Mesh& shape, const Reference& reference, cons
   return result;
 }
 
-// Registers every shape; those that fail are moved to the ones left out.
-void register_all(ModelBuild& build, std::vector<InputShape> inputs, int reference,
-                  const BuildOptions& options, const RunContext& ctx) {
+struct Registrations {
+  std::vector<ShapeOutcome> outcomes;
+  std::vector<std::string> failures;  // empty: none
+};
+
+Registrations register_each(const ModelBuild& build, std::vector<InputShape> inputs, int reference,
+                            const BuildOptions& options, const RunContext& ctx) {
   std::vector<ShapeOutcome> outcomes(inputs.size());
   std::vector<std::string> failures(inputs.size());
   // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
@@ -101,13 +105,48 @@ void register_all(ModelBuild& build, std::vector<InputShape> inputs, int referen
     outcome.seconds = watch.seconds();
     ctx.step("register", static_cast<double>(++done) / static_cast<double>(outcomes.size()));
   });
+  return {std::move(outcomes), std::move(failures)};
+}
+
+Registrations register_together(ModelBuild& build, std::vector<InputShape> inputs, int reference,
+                                const BuildOptions& options, const RunContext& ctx) {
+  std::vector<Mesh> meshes;
+  for (const InputShape& input : inputs) meshes.push_back(input.mesh);
+  GroupRegistration group = register_group(meshes, build.reference_map, reference, ctx, options.group);
+  Registrations result{std::vector<ShapeOutcome>(inputs.size()), {}};
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    GroupMember& member = group.members[k];
+    ShapeOutcome& outcome = result.outcomes[k];
+    outcome.input = std::move(inputs[k]);
+    outcome.seconds = member.seconds;
+    if (member.registered) outcome.registration = std::move(*member.registered);
+    result.failures.push_back(std::move(member.failure));
+  }
+  build.template_motion_mm = std::move(group.template_motion_mm);
+  return result;
+}
+
+// Registers every shape; those that fail are moved to the ones left out.
+void register_all(ModelBuild& build, std::vector<InputShape> inputs, int reference,
+                  const BuildOptions& options, const RunContext& ctx) {
+  const bool together = options.method == Method::torus && options.objective == Objective::surface;
+  auto [outcomes, failures] = (together ? register_together(build, std::move(inputs), reference, options, ctx)
+                                        : register_each(build, std::move(inputs), reference, options, ctx));
+  if (!failures[static_cast<std::size_t>(reference)].empty())
+    throw ConvergenceError("the reference " + outcomes[static_cast<std::size_t>(reference)].input.file_name +
+                           " cannot be registered with the mean of all shapes (" +
+                           failures[static_cast<std::size_t>(reference)] +
+                           "); name another with --reference");
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
     InputShape& input = outcomes[k].input;
     if (!failures[k].empty()) {
       build.left_out.push_back({input.stem, input.file_name, input.sha256, failures[k]});
       continue;
     }
-    if (static_cast<int>(k) == reference) build.reference = static_cast<int>(build.shapes.size());
+    if (static_cast<int>(k) == reference) {
+      build.reference = static_cast<int>(build.shapes.size());
+      build.reference_map.shape_map = outcomes[k].registration.shape_map;
+    }
     build.shapes.push_back(std::move(outcomes[k]));
   }
   require_enough(build.left_out, build.shapes.size());

@@ -55,6 +55,7 @@ std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& sh
 
 // A surface to put landmarks on: the dense mean, with its torus map and how densely it is to be sampled.
 struct DenseMean {
+  TorusGrid grid;
   Mesh mesh;
   TorusMap map;
   VertexMap<double> density;
@@ -62,8 +63,9 @@ struct DenseMean {
 
 DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lattice,
                      const BuildOptions& options, const RunContext& ctx) {
-  const TorusGrid grid = make_torus_grid(lattice, options.grid_points);
   DenseMean mean;
+  mean.grid = make_torus_grid(lattice, options.grid_points);
+  const TorusGrid& grid = mean.grid;
   mean.mesh =
       build_mesh({procrustes(lifted_to_all(shapes, grid.turns, ctx), options.scale).mean, grid.triangles});
   mean.map = {lattice, VertexMap<Vec2>(grid.turns), grid.jumps};
@@ -71,11 +73,30 @@ DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lat
   return mean;
 }
 
-RefinedLandmarks landmarks_on(const DenseMean& mean, const std::vector<LiftingShape>& shapes, int count,
-                              const BuildOptions& options, const RunContext& ctx) {
+// Where the landmarks miss a shape the next ones are denser.
+VertexMap<double> density_after(const LandmarkMesh& landmarks, const VertexMap<double>& density,
+                                const DenseMean& mean, const ModelBuild& build,
+                                const std::vector<LiftingShape>& shapes, const BuildOptions& options,
+                                const RunContext& ctx) {
+  auto lifted = lifted_to_all(shapes, landmarks.turns, ctx);
+  std::vector<RepresentedShape> represented;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    represented.push_back({&build.shapes[i].input.mesh, &build.shapes[i].registration.shape_map.map.turns,
+                           std::move(lifted[i])});
+  return raised_by_error(density, mean.grid, represented, landmarks.triangles, ctx, options.errors);
+}
+
+RefinedLandmarks landmarks_on(const DenseMean& mean, const ModelBuild& build,
+                              const std::vector<LiftingShape>& shapes, int count, const BuildOptions& options,
+                              const RunContext& ctx) {
   RemeshOptions remeshing = options.remeshing;
   remeshing.landmarks = count;
-  const LandmarkMesh landmarks = remesh(mean.mesh, mean.map, mean.density, ctx, remeshing);
+  VertexMap<double> density = mean.density;
+  LandmarkMesh landmarks = remesh(mean.mesh, mean.map, density, ctx, remeshing);
+  for (int k = 0; k < options.density_updates; ++k) {
+    density = density_after(landmarks, density, mean, build, shapes, options, ctx);
+    landmarks = remesh(mean.mesh, mean.map, density, ctx, remeshing);
+  }
   std::vector<LandmarkShape> views;
   for (const LiftingShape& shape : shapes) views.push_back({shape.locator.get(), shape.tree.get()});
   return refine_landmarks(landmarks, views, ctx);
@@ -96,12 +117,13 @@ double mean_representation_error(const LandmarkMesh& landmarks, const std::vecto
 }
 
 // As few landmarks as reach the error, up to one step of growth.
-RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<LiftingShape>& shapes,
-                                     const BuildOptions& options, const RunContext& ctx) {
+RefinedLandmarks landmarks_for_error(const DenseMean& mean, const ModelBuild& build,
+                                     const std::vector<LiftingShape>& shapes, const BuildOptions& options,
+                                     const RunContext& ctx) {
   for (int count = first_landmarks; count <= most_landmarks;
        count = static_cast<int>(landmark_growth * count)) {
     ctx.check();
-    RefinedLandmarks refined = landmarks_on(mean, shapes, count, options, ctx);
+    RefinedLandmarks refined = landmarks_on(mean, build, shapes, count, options, ctx);
     if (mean_representation_error(refined.landmarks, shapes, options, ctx) <= *options.target_error_mm)
       return refined;
   }
@@ -117,8 +139,8 @@ void place_landmarks(ModelBuild& build, const BuildOptions& options, const RunCo
   const DenseMean mean = dense_mean(shapes, build.reference_map.shape_map.map.lattice, options, ctx);
   ctx.step("resample", 0.3);
   RefinedLandmarks refined = options.target_error_mm
-                                 ? landmarks_for_error(mean, shapes, options, ctx)
-                                 : landmarks_on(mean, shapes, options.landmarks, options, ctx);
+                                 ? landmarks_for_error(mean, build, shapes, options, ctx)
+                                 : landmarks_on(mean, build, shapes, options.landmarks, options, ctx);
   ctx.step("resample", 0.9);
   build.landmarks = std::move(refined.landmarks);
   build.inserted_landmarks = refined.inserted;

@@ -76,6 +76,7 @@ ordered_json options_json(const BuildOptions& options) {
   const RegisterOptions& r = options.registration;
   return {
       {"method", options.method == Method::torus ? "torus" : "icp"},
+      {"objective", options.objective == Objective::surface ? "surface" : "neighbours"},
       {"reference", options.reference},
       {"landmarks", options.landmarks},
       {"target_error_mm", options.target_error_mm ? ordered_json(*options.target_error_mm) : ordered_json()},
@@ -112,6 +113,7 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
           {"seed", request.build.seed},
           {"inputs", inputs_json(build)},
           {"reference", build.shapes[static_cast<std::size_t>(build.reference)].input.stem},
+          {"template_motion_mm", build.template_motion_mm},
           {"landmarks", build.landmarks.turns.size()},
           {"landmarks_inserted", build.inserted_landmarks},
           {"landmark_triangles", build.landmarks.triangles.size()},

@@ -21,4 +21,19 @@ inline TriangleSoup lopsided_torus_soup(int around, int tube, double strength = 
   return soup;
 }
 
+/// The same with knobs all over, so that a place on it can be told from its neighbours.
+inline TriangleSoup knobbly_torus_soup(int around, int tube) {
+  TriangleSoup soup = torus_soup(around, tube);
+  for (Vec3& p : soup.points) {
+    const double u = std::atan2(p.y(), p.x());
+    const Vec3 centre(20 * std::cos(u), 20 * std::sin(u), 0);
+    const Vec3 across = (p - centre) / 8;
+    const double v = std::atan2(across.z(), across.dot(centre.normalized()));
+    p += (1.2 * std::sin(5 * u + 1) * std::cos(3 * v) + 0.8 * std::cos(7 * u - 2 * v)) * across;
+    p.x() *= 1.5;
+    p += Vec3(4 * std::cos(2 * u), 3 * std::sin(3 * u), 6 * std::exp(std::cos(u - 0.7) - 1));
+  }
+  return soup;
+}
+
 }  // namespace foramen::testing

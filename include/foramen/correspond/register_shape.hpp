@@ -2,17 +2,12 @@
 /// \file
 /// The torus map of the reference, and of every other shape in correspondence with it.
 
-#include <string>
-
 #include "foramen/correspond/align.hpp"
+#include "foramen/correspond/first_map.hpp"
+#include "foramen/correspond/shape_map.hpp"
 #include "foramen/correspond/soft_neighbours.hpp"
-#include "foramen/correspond/transfer_homology.hpp"
-#include "foramen/parameterize/certificate.hpp"
-#include "foramen/parameterize/optimise_map.hpp"
 
 namespace foramen {
-
-enum class InitialMap { torus, rectangle };
 
 struct RegisterOptions {
   InitialMap initial_map = InitialMap::torus;
@@ -29,15 +24,6 @@ struct RegisterOptions {
 /// The paper's own choices: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with plain
 /// neighbours, lambda = 0.00025.
 RegisterOptions paper_options();
-
-/// A final map with what is known about it.
-struct ShapeMap {
-  TorusMap map;  ///< of the input mesh, positions quantised, in the reference's basis and lattice
-  MapCertificate certificate;                   ///< of that map
-  int iterations = 0;                           ///< on the working mesh and on the input mesh together
-  double initial_energy = 0, final_energy = 0;  ///< on the working mesh, then on the input mesh
-  double distortion = 0;                        ///< area-weighted mean of Degener's energy, >= 4
-};
 
 struct Reference {
   ReferenceLoops loops;  ///< with the mesh

@@ -16,10 +16,13 @@ double angle_distortion(const std::array<Vec3, 3>& surface, const std::array<Vec
 /// [becker2011 Eq. 2]
 double area_distortion(const std::array<Vec3, 3>& surface, const std::array<Vec2, 3>& plane);
 
-/// The rest shape of a surface triangle in its own plane, inverted once: J = [x1 - x0, x2 - x0] inverse_rest.
+/// The rest shape of a surface triangle in its own plane, inverted once: J = to_target [x1 - x0, x2 - x0]
+/// inverse.
 struct RestTriangle {
   Mat2 inverse;     ///< 1 / length
   double area = 0;  ///< scaled surface area
+  /// From the plane to where distortion is measured: the identity for the plane itself. det > 0.
+  Mat2 to_target = Mat2::Identity();
 };
 /// \param scale  lengths are multiplied by this, so that the whole surface has the area of the domain
 RestTriangle rest_triangle(const std::array<Vec3, 3>& surface, double scale);

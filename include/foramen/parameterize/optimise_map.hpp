@@ -23,6 +23,13 @@ class CorrespondenceObjective {
   virtual Term term(VertexId v, const Vec2& plane_position) const = 0;
 };
 
+/// Where distortion is measured if not in the flat plane: on a target surface that the same torus is mapped
+/// to, so that E is that of the map surface -> target.
+struct TargetMetric {
+  FaceMap<Mat2> to_target;  ///< per face of the surface: plane vector -> mm in a tangent plane; det > 0
+  double area = 0;          ///< of the target, mm^2
+};
+
 enum class Optimiser { newton, polak_ribiere };
 /// How triangles and vertices are weighted: `area`: by their share of the surface (an area-weighted mean,
 /// independent of the triangulation); `each`: sum over vertices of E_cor + lambda sum over triangles of E,
@@ -54,11 +61,13 @@ struct OptimisedMap {
   std::vector<double> energies;  ///< after each iteration, first the initial one; never increases
 };
 
-/// Surface areas are scaled to the domain's (det L = 1). With free_lattice the result's lattice is scaled to
+/// Surface areas are scaled to the domain's (det L = 1), or to the target's if a metric is given (which
+/// excludes a free lattice: InvalidInput). With free_lattice the result's lattice is scaled to
 /// det 1 at the end. \pre start has no flipped triangle (InvalidInput names the first otherwise). Never
 /// returns a map with one: every accepted step keeps all signed areas positive.
 OptimisedMap optimise_map(const Mesh& mesh, const TorusMap& start, const RunContext& ctx,
                           const OptimiseMapOptions& options = {},
-                          const CorrespondenceObjective* objective = nullptr);
+                          const CorrespondenceObjective* objective = nullptr,
+                          const TargetMetric* metric = nullptr);
 
 }  // namespace foramen

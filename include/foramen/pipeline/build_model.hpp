@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "foramen/correspond/register_shape.hpp"
+#include "foramen/groupwise/register_group.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "foramen/pipeline/read_cohort.hpp"
+#include "foramen/resample/error_density.hpp"
 #include "foramen/resample/remesh.hpp"
 
 namespace foramen {
@@ -19,15 +20,25 @@ enum class Method {
   icp,  ///< the baseline (Brett and Taylor 2000): landmarks of the remeshed reference to their closest points
 };
 
+/// What draws the maps of Method::torus into correspondence.
+enum class Objective {
+  surface,     ///< points of a template bent onto the shape; the template becomes the mean: register_group()
+  neighbours,  ///< the paper's soft neighbours on the reference [becker2011 Eq. 4]: register_shape()
+};
+
 struct BuildOptions {
   Method method = Method::torus;
-  std::string reference = "auto";  ///< A shape's stem, or auto: see choose_reference().
-  RegisterOptions registration = {};
-  int landmarks = 4000;  ///< Budget; refinement may add 5 %.
+  Objective objective = Objective::surface;
+  std::string reference = "auto";     ///< A shape's stem, or auto: see choose_reference().
+  RegisterOptions registration = {};  ///< of the reference, and of all shapes with Objective::neighbours
+  RegisterGroupOptions group = {};    ///< of all shapes with Objective::surface
+  int landmarks = 4000;               ///< Budget; refinement may add 5 %.
   std::optional<double> target_error_mm =
-      std::nullopt;              ///< Set: as few landmarks as give this mean representation error [mm].
-  int grid_points = 65000;       ///< Of the dense uniform sampling of the torus.
-  RemeshOptions remeshing = {};  ///< (its number of landmarks is set from the above)
+      std::nullopt;                 ///< Set: as few landmarks as give this mean representation error [mm].
+  int grid_points = 65000;          ///< Of the dense uniform sampling of the torus.
+  RemeshOptions remeshing = {};     ///< (its number of landmarks is set from the above)
+  ErrorDensityOptions errors = {};  ///< what raises the density of landmarks, as often as this:
+  int density_updates = 3;
   ScaleMode scale = ScaleMode::keep;
   std::uint64_t seed = 1;
 };
@@ -53,6 +64,7 @@ struct ModelBuild {
       0;  ///< confirmed-flipped or degenerate landmark triangles, over all shapes; must be 0
   ProcrustesResult procrustes;
   ShapeModel model;
+  std::vector<double> template_motion_mm;  ///< see GroupRegistration
   std::vector<std::pair<std::string, double>> stage_seconds;
 };
 

@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// Correspondence of a whole cohort: every shape's map to one torus, through a template that becomes the mean.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foramen/correspond/deform_template.hpp"
+#include "foramen/correspond/register_shape.hpp"
+#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/correspond/surface_targets.hpp"
+#include "foramen/groupwise/description_length.hpp"
+#include "foramen/groupwise/mean_template.hpp"
+
+namespace foramen {
+
+struct RegisterGroupOptions {
+  InitialMap initial_map = InitialMap::torus;
+  EdgeCost edge_cost = EdgeCost::length_weighted;
+  double lambda = 0.1;  ///< Weight of distortion [mm^2]: E_target + lambda E_deg, both area-weighted means. > 0.
+  int working_vertices = 10000;  ///< Of the meshes that carry the search.
+  double relative_tolerance = 1e-4;
+  int iteration_limit = 200;  ///< Of each optimisation.
+  TemplateOptions mean = {};
+  SmoothDisplacementOptions displacements = {};
+  DeformTemplateOptions first = {};  ///< From the rigidly aligned template.
+  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};  ///< From the last round's.
+  SurfaceTargetsOptions targets = {};
+  int metric_updates = 2;  ///< Optimisations of a map in a round, each with the metric where the last left it.
+  int round_limit = 4;     ///< Of rounds with the mean as template. >= 0.
+  double still_mm = 0.1;   ///< Rounds end when the mean moves by less than this (RMS) [mm].
+  int description_rounds = 0;  ///< After those: rounds of all maps by description_length() instead. >= 0.
+  DescriptionLengthOptions description = {};
+};
+
+struct GroupMember {
+  std::optional<RegisteredShape> registered;  ///< unset: left out
+  std::string failure;                        ///< why
+  double seconds = 0;                         ///< of this shape alone
+};
+
+struct GroupRegistration {
+  std::vector<GroupMember> members;        ///< one per shape
+  std::vector<double> template_motion_mm;  ///< RMS motion of the mean from round to round
+  std::vector<double> description_lengths;  ///< before each of the rounds by it, and after the last
+};
+
+/// Registers all shapes with each other.
+///
+/// First each shape by itself: rigid alignment to the reference, the reference bent onto it
+/// (deform_template()), loops and first map by the reference's (first_map(), compared where the shape would
+/// lie if it were bent back), and the map that brings every vertex to its place on the reference
+/// (SurfaceTargets) with the least distortion of the map shape -> reference, without a flipped triangle. Then
+/// rounds with the Procrustes mean of all shapes as template, so that no shape is the favourite. In the end
+/// each map is carried to the shape's input mesh, optimised there and certified, and its homology checked
+/// against the reference's loops once more.
+///
+/// A shape that fails a check is left out, with the reason, and the rest go on. The reference is a shape like
+/// the others once the mean is the template.
+GroupRegistration register_group(const std::vector<Mesh>& shapes, const Reference& reference,
+                                 int reference_index, const RunContext& ctx,
+                                 const RegisterGroupOptions& options = {});
+
+}  // namespace foramen

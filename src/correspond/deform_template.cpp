@@ -1,0 +1,220 @@
+#include "foramen/correspond/deform_template.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <Eigen/Cholesky>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/spatial/point_index.hpp"
+#include "foramen/spatial/surface_distance.hpp"
+
+namespace foramen {
+namespace {
+
+constexpr std::uint64_t template_seed = 1, shape_seed = 2;
+
+void check(const Mesh& surface, const Eigen::MatrixXd& functions, const DeformTemplateOptions& options,
+           std::span<const Vec3> start) {
+  const auto refuse = [](const std::string& what) { throw InvalidInput("deform_template: " + what); };
+  if (functions.rows() != surface.vertex_count())
+    refuse("found displacement functions at " + std::to_string(functions.rows()) + " points for " +
+           std::to_string(surface.vertex_count()) + " vertices");
+  if (!start.empty() && static_cast<int>(start.size()) != surface.vertex_count())
+    refuse("start has " + std::to_string(start.size()) + " positions for " +
+           std::to_string(surface.vertex_count()) + " vertices");
+  if (options.noise_mm.empty() || *std::min_element(options.noise_mm.begin(), options.noise_mm.end()) <= 0)
+    refuse("noise_mm must hold levels > 0");
+  if (options.iterations < 1 || options.samples < 1) refuse("iterations and samples must be at least 1");
+  if (!(options.normal_weight >= 0)) refuse("normal_weight must be >= 0 mm");
+  if (!(options.tangential_share > 0 && options.tangential_share <= 1))
+    refuse("tangential_share must be in (0, 1]");
+  if (!(options.independent_area_mm2 > 0 && options.rejection > 0 && options.least_median_mm > 0))
+    refuse("independent_area_mm2, rejection and least_median_mm must be > 0");
+}
+
+struct OrientedPoint {
+  Vec3 position, normal;
+};
+
+struct Match {
+  int vertex;  // of the template
+  OrientedPoint on_shape;
+  double distance;  // of the search, mm
+  double area;      // that the match stands for, mm^2
+};
+
+/// Area-stratified vertices of the template: each sample of the surface by the nearest corner.
+std::vector<int> sampled_vertices(const Mesh& surface, int count) {
+  std::vector<int> vertices;
+  vertices.reserve(static_cast<std::size_t>(count));
+  for (const SurfacePoint& p : sample_surface(surface, count, Rng(template_seed))) {
+    Eigen::Index corner = 0;
+    p.barycentric.maxCoeff(&corner);
+    vertices.push_back(surface.corners(p.face)[static_cast<std::size_t>(corner)].index);
+  }
+  return vertices;
+}
+
+/// The shape as matches see it.
+class MatchedShape {
+ public:
+  MatchedShape(const Mesh& shape, const DeformTemplateOptions& options)
+      : shape_(shape),
+        normals_(vertex_normals(shape)),
+        index_(shape.positions(), normals_.values(), options.normal_weight),
+        area_per_sample_(total_area(shape) / options.samples) {
+    for (const SurfacePoint& p : sample_surface(shape, options.samples, Rng(shape_seed))) {
+      const auto corners = shape.corners(p.face);
+      Vec3 normal = Vec3::Zero();
+      for (std::size_t k = 0; k < 3; ++k)
+        normal += p.barycentric[static_cast<Eigen::Index>(k)] * normals_[corners[k]];
+      samples_.push_back({position(shape, p), normal.normalized()});
+    }
+  }
+
+  /// The shape's nearest vertex to a point of the template.
+  Match match_of(int vertex, const OrientedPoint& bent, double area) const {
+    const NearPoint near = index_.nearest(bent.position, bent.normal);
+    const VertexId partner(near.index);
+    return {vertex, {shape_.position(partner), normals_[partner]}, std::sqrt(near.squared_distance), area};
+  }
+  /// The template's nearest vertices to the shape's samples.
+  void add_matches_of_samples(const OrientedPointIndex& bent, std::vector<Match>& matches) const {
+    for (const OrientedPoint& sample : samples_) {
+      const NearPoint near = bent.nearest(sample.position, sample.normal);
+      matches.push_back({near.index, sample, std::sqrt(near.squared_distance), area_per_sample_});
+    }
+  }
+
+ private:
+  const Mesh& shape_;
+  VertexMap<Vec3> normals_;
+  OrientedPointIndex index_;
+  std::vector<OrientedPoint> samples_;
+  double area_per_sample_;
+};
+
+/// All matches of a template vertex as one: \f$ (u - goal)^T W (u - goal) \f$, W goal kept in their place.
+struct Pull {
+  int vertex;
+  Mat3 weight = Mat3::Zero();
+  Vec3 weighted_goal = Vec3::Zero();
+};
+
+class Fit {
+ public:
+  Fit(const Mesh& surface, const Eigen::MatrixXd& functions, const Mesh& shape,
+      const DeformTemplateOptions& options)
+      : surface_(surface),
+        functions_(functions),
+        options_(options),
+        shape_(shape, options),
+        vertices_(sampled_vertices(surface, options.samples)),
+        area_per_vertex_(total_area(surface) / options.samples) {}
+
+  /// One set of matches, and the displacement that explains them best.
+  Mesh improved(const Mesh& bent, double noise) const {
+    const VertexMap<Vec3> normals = vertex_normals(bent);
+    std::vector<Match> matches;
+    matches.reserve(2 * vertices_.size());
+    for (const int v : vertices_)
+      matches.push_back(
+          shape_.match_of(v, {bent.position(VertexId(v)), normals[VertexId(v)]}, area_per_vertex_));
+    shape_.add_matches_of_samples({bent.positions(), normals.values(), options_.normal_weight}, matches);
+    return displaced(solved(pulls(matches, normals, noise)));
+  }
+
+ private:
+  std::vector<Pull> pulls(const std::vector<Match>& matches, const VertexMap<Vec3>& normals,
+                          double noise) const {
+    std::vector<double> distances;
+    distances.reserve(matches.size());
+    for (const Match& m : matches) distances.push_back(m.distance);
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::nth_element(distances.begin(), middle, distances.end());
+    const double cut = options_.rejection * std::max(*middle, options_.least_median_mm);
+
+    std::vector<Pull> all;
+    VertexMap<int> slot(surface_.vertex_count(), -1);
+    for (const Match& m : matches) {
+      if (m.distance >= cut) continue;
+      const VertexId v(m.vertex);
+      const double ratio = m.distance / cut, tukey = (1 - ratio * ratio) * (1 - ratio * ratio);
+      // Half: both surfaces bring their matches.
+      const double weight = tukey * m.area / options_.independent_area_mm2 / (2 * noise * noise);
+      const Vec3 sum = normals[v] + m.on_shape.normal;
+      const Vec3 normal = sum.isZero(1e-9) ? m.on_shape.normal : Vec3(sum.normalized());
+      const Mat3 w = weight * ((1 - options_.tangential_share) * normal * normal.transpose() +
+                               options_.tangential_share * Mat3::Identity());
+      if (slot[v] < 0) {
+        slot[v] = static_cast<int>(all.size());
+        all.push_back({m.vertex});
+      }
+      Pull& pull = all[static_cast<std::size_t>(slot[v])];
+      pull.weight += w;
+      pull.weighted_goal += w * (m.on_shape.position - surface_.position(v));
+    }
+    return all;
+  }
+
+  // (1 + sum phi^T W phi) a = sum phi^T W goal. One column of coefficients per coordinate.
+  Eigen::MatrixX3d solved(const std::vector<Pull>& pulls) const {
+    const auto count = static_cast<Eigen::Index>(pulls.size()), rank = functions_.cols();
+    Eigen::MatrixXd at_pulls(count, rank);
+    for (Eigen::Index i = 0; i < count; ++i)
+      at_pulls.row(i) = functions_.row(pulls[static_cast<std::size_t>(i)].vertex);
+    Eigen::MatrixXd hessian(3 * rank, 3 * rank), weighted(count, rank);
+    Eigen::VectorXd right(3 * rank);
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      Eigen::VectorXd goal(count);
+      for (Eigen::Index i = 0; i < count; ++i) goal[i] = pulls[static_cast<std::size_t>(i)].weighted_goal[a];
+      right.segment(a * rank, rank).noalias() = at_pulls.transpose() * goal;
+      for (Eigen::Index b = 0; b <= a; ++b) {
+        for (Eigen::Index i = 0; i < count; ++i)
+          weighted.row(i) = pulls[static_cast<std::size_t>(i)].weight(a, b) * at_pulls.row(i);
+        hessian.block(a * rank, b * rank, rank, rank).noalias() = at_pulls.transpose() * weighted;
+      }
+    }
+    hessian.diagonal().array() += 1;  // the prior
+    const Eigen::VectorXd all = hessian.selfadjointView<Eigen::Lower>().llt().solve(right);
+    return Eigen::Map<const Eigen::MatrixX3d>(all.data(), rank, 3);
+  }
+
+  Mesh displaced(const Eigen::MatrixX3d& coefficients) const {
+    const Eigen::MatrixX3d displacements = functions_ * coefficients;
+    std::vector<Vec3> positions;
+    positions.reserve(static_cast<std::size_t>(surface_.vertex_count()));
+    for (VertexId v : surface_.vertices())
+      positions.push_back(surface_.position(v) + displacements.row(v.index).transpose());
+    return surface_.with_positions(std::move(positions));
+  }
+
+  const Mesh& surface_;
+  const Eigen::MatrixXd& functions_;
+  const DeformTemplateOptions& options_;
+  MatchedShape shape_;
+  std::vector<int> vertices_;
+  double area_per_vertex_;
+};
+
+}  // namespace
+
+std::vector<Vec3> deform_template(const Mesh& surface, const Eigen::MatrixXd& functions, const Mesh& shape,
+                                  const RunContext& ctx, const DeformTemplateOptions& options,
+                                  std::span<const Vec3> start) {
+  check(surface, functions, options, start);
+  const Fit fit(surface, functions, shape, options);
+  Mesh bent = start.empty() ? surface : surface.with_positions({start.begin(), start.end()});
+  for (const double noise : options.noise_mm)
+    for (int k = 0; k < options.iterations; ++k) {
+      ctx.check();
+      bent = fit.improved(bent, noise);
+    }
+  return {bent.positions().begin(), bent.positions().end()};
+}
+
+}  // namespace foramen
