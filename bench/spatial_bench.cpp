@@ -9,6 +9,7 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/flips.hpp"
 #include "foramen/spatial/point_index.hpp"
+#include "foramen/spatial/self_intersections.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "support/meshes.hpp"
@@ -141,6 +142,18 @@ void flips_of_a_mesh(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(sampled_flips(moved, input).plain.size());
 }
 BENCHMARK(flips_of_a_mesh)->Unit(benchmark::kMillisecond);
+
+void self_intersections_of_a_torus(benchmark::State& state) {
+  const TriangleTree tree(torus_of(static_cast<int>(state.range(0))));
+  for (auto _ : state) benchmark::DoNotOptimize(self_intersections(tree).size());
+}
+BENCHMARK(self_intersections_of_a_torus)->Arg(4000)->Arg(50000)->Unit(benchmark::kMillisecond);
+
+void self_intersections_of_a_vertebra(benchmark::State& state) {
+  const TriangleTree tree(vertebra());
+  for (auto _ : state) benchmark::DoNotOptimize(self_intersections(tree).size());
+}
+BENCHMARK(self_intersections_of_a_vertebra)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace foramen

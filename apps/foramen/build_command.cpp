@@ -73,7 +73,8 @@ void BuildFlags::add_to(CLI::App& command) {
                   "as few landmarks as represent the shapes this well [mm]")
       ->check(CLI::PositiveNumber)
       ->excludes(count);
-  command.add_option("--samples", evaluation.draws, "random shapes for specificity")
+  command
+      .add_option("--samples", evaluation.draws, "random shapes for specificity, and for their own quality")
       ->check(CLI::Range(1, 1000000));
   command.add_option("--seed", build.seed, "seed of all random numbers");
   command.add_option("--scale", build.scale, "keep or remove the shapes' size")

@@ -38,7 +38,9 @@ void add_evaluate(CLI::App& program, Run& run) {
                       "corresponding meshes");
   command->add_option("--truth", request.truth, "folder of the true correspondence, by the same names");
   command->add_option("-o,--output", request.output, "folder for metrics.json and metrics.csv");
-  command->add_option("--samples", request.options.draws, "random shapes for specificity")
+  command
+      ->add_option("--samples", request.options.draws,
+                   "random shapes for specificity, and for their own quality")
       ->check(CLI::Range(1, 1000000));
   command->add_option("--seed", request.options.seed, "seed of all random numbers");
   command->add_option("--subject-regex", request.subject_pattern,

@@ -56,6 +56,9 @@ Evaluation evaluate_model(const CorrespondingCohort& cohort, const EvaluationOpt
       .draws = options.draws, .seed = options.seed, .surface_samples = options.specificity_samples};
   e.specificity = timed(e.seconds.specificity, [&] { return specificity(aligned, last_mode, drawing, ctx); });
   e.ensemble = ensemble_form(e.specificity);
+  e.drawn = timed(e.seconds.drawn, [&] {
+    return drawn_shapes(aligned.model, {.draws = options.draws, .seed = options.seed}, ctx);
+  });
   if (truth != nullptr) e.truth = timed(e.seconds.truth, [&] { return truth_error(cohort, *truth, ctx); });
   return e;
 }

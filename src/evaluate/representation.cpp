@@ -3,6 +3,7 @@
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/spatial/flips.hpp"
+#include "foramen/spatial/self_intersections.hpp"
 
 namespace foramen {
 namespace {
@@ -10,7 +11,8 @@ namespace {
 template <class Value>
 Estimate estimate_of(const std::vector<ShapeRepresentation>& shapes, Value value) {
   std::vector<double> values;
-  for (const ShapeRepresentation& s : shapes) values.push_back(value(s));
+  values.reserve(shapes.size());
+  for (const ShapeRepresentation& s : shapes) values.push_back(static_cast<double>(value(s)));
   return estimate(values);
 }
 
@@ -18,14 +20,16 @@ ShapeRepresentation measure(const CorrespondingCohort& cohort, const AlignedCoho
                             const Mesh& mean, const SurfaceDistanceOptions& options) {
   const auto s = static_cast<std::size_t>(shape);
   const Mesh corresponding = corresponding_mesh(cohort, shape);
-  const TriangleTree input(cohort.inputs[s]);
+  const TriangleTree surface(corresponding), input(cohort.inputs[s]);
   const SampledFlips flips = sampled_flips(corresponding, input);
   ShapeRepresentation result;
-  result.distance = surface_distance(TriangleTree(corresponding), input, options);
+  result.distance = surface_distance(surface, input, options);
   result.plain_flips = static_cast<int>(flips.plain.size());
   result.confirmed_flips = static_cast<int>(flips.confirmed.size());
   result.degenerate = static_cast<int>(flips.degenerate.size());
   result.opposing_mean = opposing_mean(corresponding.with_positions(aligned.alignment.aligned[s]), mean);
+  result.self_intersections = static_cast<int>(self_intersections(surface).size());
+  result.input_self_intersections = static_cast<int>(self_intersections(input).size());
   return result;
 }
 
@@ -45,10 +49,12 @@ Representation representation(const CorrespondingCohort& cohort, const AlignedCo
   result.mean_surface = estimate_of(result.shapes, [](const auto& s) { return s.distance.mean; });
   result.p95 = estimate_of(result.shapes, [](const auto& s) { return s.distance.p95; });
   result.hausdorff = estimate_of(result.shapes, [](const auto& s) { return s.distance.hausdorff; });
-  result.plain_flips = estimate_of(result.shapes, [](const auto& s) { return double(s.plain_flips); });
-  result.confirmed_flips =
-      estimate_of(result.shapes, [](const auto& s) { return double(s.confirmed_flips); });
-  result.opposing_mean = estimate_of(result.shapes, [](const auto& s) { return double(s.opposing_mean); });
+  result.plain_flips = estimate_of(result.shapes, [](const auto& s) { return s.plain_flips; });
+  result.confirmed_flips = estimate_of(result.shapes, [](const auto& s) { return s.confirmed_flips; });
+  result.opposing_mean = estimate_of(result.shapes, [](const auto& s) { return s.opposing_mean; });
+  result.self_intersections = estimate_of(result.shapes, [](const auto& s) { return s.self_intersections; });
+  result.input_self_intersections =
+      estimate_of(result.shapes, [](const auto& s) { return s.input_self_intersections; });
   return result;
 }
 

@@ -34,7 +34,10 @@ std::string summary(const Evaluation& e) {
   const Representation& r = e.representation;
   text += "representation error: mean " + fixed(r.mean_surface, 3) + ", p95 " + fixed(r.p95, 3) +
           ", Hausdorff " + fixed(r.hausdorff, 2) + " mm\nflipped triangles a shape: plain " +
-          fixed(r.plain_flips, 1) + ", confirmed " + fixed(r.confirmed_flips, 1) + "\n";
+          fixed(r.plain_flips, 1) + ", confirmed " + fixed(r.confirmed_flips, 1) +
+          "\nself-intersecting pairs of triangles a shape: " + fixed(r.self_intersections, 1) +
+          ", of the inputs " + fixed(r.input_self_intersections, 1) + "\n" + drawn_shapes_line(e.drawn) +
+          "\n";
   if (e.truth)
     text += "truth error: mean " + fixed(e.truth->error.mean, 3) + ", p95 " + fixed(e.truth->error.p95, 3) +
             ", max " + fixed(e.truth->error.max, 2) + " mm\n";

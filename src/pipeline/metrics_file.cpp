@@ -1,7 +1,9 @@
 #include "foramen/pipeline/metrics_file.hpp"
 
+#include <array>
 #include <cstdint>
 #include <fstream>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -117,18 +119,25 @@ ordered_json representation_json(const Evaluation& e) {
                       {"plain_flips", s.plain_flips},
                       {"confirmed_flips", s.confirmed_flips},
                       {"degenerate", s.degenerate},
-                      {"opposing_mean", s.opposing_mean}});
+                      {"opposing_mean", s.opposing_mean},
+                      {"self_intersections", s.self_intersections},
+                      {"input_self_intersections", s.input_self_intersections}});
   }
-  return {{"definition",
-           "surface distance of each corresponding mesh to its original input, and flipped triangles of it"},
-          {"unit", "mm; triangles"},
-          {"mean_mm", to_json(r.mean_surface)},
-          {"p95_mm", to_json(r.p95)},
-          {"hausdorff_mm", to_json(r.hausdorff)},
-          {"plain_flips", to_json(r.plain_flips)},
-          {"confirmed_flips", to_json(r.confirmed_flips)},
-          {"opposing_mean", to_json(r.opposing_mean)},
-          {"shapes", shapes}};
+  return {
+      {"definition",
+       "surface distance of each corresponding mesh to its original input, and flipped triangles of it; "
+       "self-intersections: pairs of its triangles, and of the input's, with a point in common beyond what "
+       "they share as neighbours"},
+      {"unit", "mm; triangles; pairs of triangles"},
+      {"mean_mm", to_json(r.mean_surface)},
+      {"p95_mm", to_json(r.p95)},
+      {"hausdorff_mm", to_json(r.hausdorff)},
+      {"plain_flips", to_json(r.plain_flips)},
+      {"confirmed_flips", to_json(r.confirmed_flips)},
+      {"opposing_mean", to_json(r.opposing_mean)},
+      {"self_intersections", to_json(r.self_intersections)},
+      {"input_self_intersections", to_json(r.input_self_intersections)},
+      {"shapes", shapes}};
 }
 
 Representation representation_from(const ordered_json& j) {
@@ -138,14 +147,32 @@ Representation representation_from(const ordered_json& j) {
                         s.at("plain_flips"),
                         s.at("confirmed_flips"),
                         s.at("degenerate"),
-                        s.at("opposing_mean")});
+                        s.at("opposing_mean"),
+                        s.at("self_intersections"),
+                        s.at("input_self_intersections")});
   r.mean_surface = estimate_from(j.at("mean_mm"));
   r.p95 = estimate_from(j.at("p95_mm"));
   r.hausdorff = estimate_from(j.at("hausdorff_mm"));
   r.plain_flips = estimate_from(j.at("plain_flips"));
   r.confirmed_flips = estimate_from(j.at("confirmed_flips"));
   r.opposing_mean = estimate_from(j.at("opposing_mean"));
+  r.self_intersections = estimate_from(j.at("self_intersections"));
+  r.input_self_intersections = estimate_from(j.at("input_self_intersections"));
   return r;
+}
+
+ordered_json drawn_json(const DrawnShapes& d) {
+  return {{"definition",
+           "random shapes over all modes, every score drawn anew until it is within the largest: the share "
+           "with a self-intersection, and the share with a triangle opposing the same triangle of the mean"},
+          {"unit", "share of the random shapes"},
+          {"largest_score_sd", largest_drawn_sd},
+          {"self_intersecting", to_json(d.self_intersecting)},
+          {"flipped", to_json(d.flipped)}};
+}
+
+DrawnShapes drawn_from(const ordered_json& j) {
+  return {{}, estimate_from(j.at("self_intersecting")), estimate_from(j.at("flipped"))};
 }
 
 ordered_json truth_json(const TruthError& t) {
@@ -176,6 +203,7 @@ Evaluation evaluation_from(const ordered_json& j) {
   for (const ordered_json& m : j.at("ensemble").at("by_modes"))
     e.ensemble.push_back(
         {m.at("modes"), estimate_from(m.at("generalization_mm")), estimate_from(m.at("specificity_mm"))});
+  e.drawn = drawn_from(j.at("drawn_shapes"));
   e.representation = representation_from(j.at("representation"));
   if (const ordered_json& t = j.at("truth"); !t.is_null())
     e.truth = TruthError{summary_from(t.at("error")), summary_from(t.at("floor")),
@@ -217,14 +245,55 @@ std::vector<Row> metric_rows(const Evaluation& e) {
     rows.add(e.names[i], "shape", 0, "flips_plain", r.plain_flips, "triangles");
     rows.add(e.names[i], "shape", 0, "flips_confirmed", r.confirmed_flips, "triangles");
     rows.add(e.names[i], "shape", 0, "opposing_mean", r.opposing_mean, "triangles");
+    rows.add(e.names[i], "shape", 0, "self_intersections", r.self_intersections, "pairs of triangles");
+    rows.add(e.names[i], "shape", 0, "input_self_intersections", r.input_self_intersections,
+             "pairs of triangles");
     if (e.truth) rows.add(e.names[i], "shape", 0, "truth_error_mean", e.truth->mean_from_shape[i], "mm");
   }
   rows.add(e.leave_one_out.by_modes, e.names, "shape", "generalization");
   if (e.leave_subject_out)
     rows.add(e.leave_subject_out->by_modes, e.names, "shape", "generalization_by_subject");
   rows.add(e.specificity.by_modes, {}, "draw", "specificity");
+  const int all_modes = e.compactness.empty() ? 0 : e.compactness.back().modes;
+  for (std::size_t i = 0; i < e.drawn.draws.size(); ++i) {
+    const DrawnShape& d = e.drawn.draws[i];
+    const std::string item = std::to_string(i + 1);
+    rows.add(item, "draw", all_modes, "drawn_self_intersections", d.self_intersections, "pairs of triangles");
+    rows.add(item, "draw", all_modes, "drawn_opposing_mean", d.opposing_mean, "triangles");
+  }
   return rows.rows();
 }
+
+// The rows of metrics.csv that are about shapes.
+class ShapeFigures {
+ public:
+  explicit ShapeFigures(const std::filesystem::path& file) : file_(file.string()) {
+    const Table table = read_csv(file);
+    const std::size_t item = table.column("item"), kind = table.column("kind"), modes = table.column("modes"),
+                      measure = table.column("measure"), value = table.column("value");
+    for (const auto& row : table.rows)
+      if (row[kind] == "shape") figures_[{row[measure], row[modes], row[item]}] = parse_number(row[value]);
+  }
+  double at(const std::string& measure, int modes, const std::string& shape) const {
+    const auto found = figures_.find({measure, std::to_string(modes), shape});
+    if (found == figures_.end())
+      throw IoError(file_ + ": holds no " + measure + " of " + shape + " at " + std::to_string(modes) +
+                    " modes, as metrics.json beside it says; `foramen evaluate -o` writes both anew");
+    return found->second;
+  }
+  void fill(Generalization& generalization, const std::string& measure,
+            const std::vector<std::string>& names) const {
+    for (ErrorsAtModes& e : generalization.by_modes)
+      for (const std::string& name : names)
+        e.items.push_back({at(measure + "_hausdorff", e.modes, name),
+                           at(measure + "_mean_surface", e.modes, name),
+                           at(measure + "_landmark_rms", e.modes, name)});
+  }
+
+ private:
+  std::string file_;
+  std::map<std::array<std::string, 3>, double> figures_;  // by measure, number of modes, shape
+};
 
 }  // namespace
 
@@ -243,6 +312,7 @@ std::string metrics_json(const Evaluation& e) {
        e.leave_subject_out ? generalization_json(*e.leave_subject_out, "subject") : ordered_json()},
       {"specificity", specificity_json(e)},
       {"ensemble", ensemble_json(e)},
+      {"drawn_shapes", drawn_json(e.drawn)},
       {"truth", e.truth ? truth_json(*e.truth) : ordered_json()}};
   return out.dump(2);
 }
@@ -263,6 +333,15 @@ Evaluation read_metrics(const std::filesystem::path& folder) {
   } catch (const nlohmann::json::exception& e) {
     throw IoError(file.string() + ": is not a metrics file of this version (" + e.what() + ")");
   }
+}
+
+Evaluation read_metrics_of_shapes(const std::filesystem::path& folder) {
+  Evaluation evaluation = read_metrics(folder);
+  const ShapeFigures figures(folder / "metrics.csv");
+  figures.fill(evaluation.leave_one_out, "generalization", evaluation.names);
+  if (evaluation.leave_subject_out)
+    figures.fill(*evaluation.leave_subject_out, "generalization_by_subject", evaluation.names);
+  return evaluation;
 }
 
 }  // namespace foramen

@@ -15,16 +15,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// The number of modes at which single figures are quoted, or the largest there is.
-constexpr int quoted_modes = 8;
-
-const ErrorsAtModes* at_quoted(const std::vector<ErrorsAtModes>& by_modes) {
-  const ErrorsAtModes* best = nullptr;
-  for (const ErrorsAtModes& e : by_modes)
-    if (e.modes <= quoted_modes) best = &e;
-  return best;
-}
-
 bool is_used(const ordered_json& shape) { return shape.at("status") != "left out"; }
 
 std::string text_of(const ordered_json& value) {
@@ -35,9 +25,11 @@ ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) 
   ReportTable table{
       "Shapes",
       "Distances of the corresponding mesh to the input surface, mm. Flipped triangles: of the map (exact), "
-      "and of the "
-      "sampled mesh, plain and confirmed. Distortion: area-weighted mean, 4 at best.",
-      {"shape", "status", "mean", "p95", "Hausdorff", "flips in map", "plain", "confirmed", "distortion"},
+      "and of the sampled mesh, plain and confirmed. Self-intersecting pairs of triangles: of the sampled "
+      "mesh, "
+      "and of the input. Distortion: area-weighted mean, 4 at best.",
+      {"shape", "status", "mean", "p95", "Hausdorff", "flips in map", "plain", "confirmed", "self-int.",
+       "of input", "distortion"},
       {}};
   std::size_t i = 0;
   for (const ordered_json& shape : run.at("shapes")) {
@@ -47,6 +39,7 @@ ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) 
         {shape.at("name").get<std::string>(), shape.at("status").get<std::string>(),
          fixed(r.distance.mean, 3), fixed(r.distance.p95, 3), fixed(r.distance.hausdorff, 2),
          text_of(shape.at("flips_in_map")), std::to_string(r.plain_flips), std::to_string(r.confirmed_flips),
+         std::to_string(r.self_intersections), std::to_string(r.input_self_intersections),
          shape.contains("distortion") ? fixed(shape.at("distortion").get<double>(), 2) : "-"});
   }
   return table;
@@ -75,6 +68,16 @@ std::string flips_line(const ordered_json& run, const Evaluation& evaluation) {
          " in the sampled meshes";
 }
 
+std::string self_intersections_line(const Evaluation& evaluation) {
+  int sampled = 0, input = 0;
+  for (const ShapeRepresentation& r : evaluation.representation.shapes) {
+    sampled += r.self_intersections;
+    input += r.input_self_intersections;
+  }
+  return "self-intersecting pairs of triangles: " + std::to_string(sampled) + " in the sampled meshes, " +
+         std::to_string(input) + " in the inputs";
+}
+
 std::string representation_line(const Evaluation& evaluation) {
   const Representation& r = evaluation.representation;
   std::size_t worst = 0;
@@ -94,13 +97,15 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
                   run.at("landmarks_inserted").dump() + " inserted by refinement), " +
                   std::to_string(evaluation.compactness.size()) + " modes");
   lines.push_back(flips_line(run, evaluation));
+  lines.push_back(self_intersections_line(evaluation));
   lines.push_back(representation_line(evaluation));
-  if (const auto* g = at_quoted(evaluation.leave_one_out.by_modes))
+  if (const auto* g = at_quoted_modes(evaluation.leave_one_out.by_modes))
     lines.push_back("generalization at " + std::to_string(g->modes) + " modes (leave one out): Hausdorff " +
                     fixed(g->hausdorff, 2) + " mm, mean surface " + fixed(g->mean_surface, 3) + " mm");
-  if (const auto* s = at_quoted(evaluation.specificity.by_modes))
+  if (const auto* s = at_quoted_modes(evaluation.specificity.by_modes))
     lines.push_back("specificity at " + std::to_string(s->modes) + " modes: Hausdorff " +
                     fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
+  lines.push_back(drawn_shapes_line(evaluation.drawn));
   lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) + " mm^2 a landmark");
   if (evaluation.truth)
     lines.push_back("truth error: mean " + fixed(evaluation.truth->error.mean, 2) + " mm, p95 " +

@@ -50,6 +50,14 @@ const std::vector<Measure>& measures() {
 
 }  // namespace
 
+const ErrorsAtModes* at_quoted_modes(const std::vector<ErrorsAtModes>& by_modes) {
+  constexpr int quoted_modes = 8;
+  const ErrorsAtModes* best = nullptr;
+  for (const ErrorsAtModes& e : by_modes)
+    if (e.modes <= quoted_modes) best = &e;
+  return best;
+}
+
 std::string fixed(double value, int digits) {
   char text[48];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
@@ -58,6 +66,16 @@ std::string fixed(double value, int digits) {
 
 std::string fixed(const Estimate& value, int digits) {
   return fixed(value.mean, digits) + " ± " + fixed(value.standard_error, digits);
+}
+
+std::string percent(const Estimate& share) {
+  return fixed(Estimate{100 * share.mean, 100 * share.standard_error}, 1) + " %";
+}
+
+std::string drawn_shapes_line(const DrawnShapes& drawn) {
+  return "drawn shapes, all scores within " + fixed(largest_drawn_sd, 0) +
+         " sd: " + percent(drawn.self_intersecting) + " intersect themselves, " + percent(drawn.flipped) +
+         " have a flipped triangle";
 }
 
 std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations) {

@@ -49,6 +49,8 @@ ordered_json shape_json(const ModelBuild& build, std::size_t i, const Evaluation
   out["flips_sampled_plain"] = r.plain_flips;
   out["flips_sampled_confirmed"] = r.confirmed_flips;
   out["triangles_opposing_mean"] = r.opposing_mean;
+  out["self_intersections"] = r.self_intersections;
+  out["input_self_intersections"] = r.input_self_intersections;
   return out;
 }
 
@@ -106,7 +108,7 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
   ordered_json stages = ordered_json::object();
   for (const auto& [name, time] : build.stage_seconds) stages[name] = time;
   stages["evaluate"] = evaluation.seconds.representation + evaluation.seconds.generalization +
-                       evaluation.seconds.specificity + evaluation.seconds.truth;
+                       evaluation.seconds.specificity + evaluation.seconds.drawn + evaluation.seconds.truth;
   return {{"version", version()},
           {"command", request.canonical_command},
           {"options", options_json(request.build)},

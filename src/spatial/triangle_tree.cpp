@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foramen/core/geometry.hpp"
 #include "spatial/triangle_closest.hpp"
 #include "spatial/triangle_tree_detail.hpp"
 
@@ -61,16 +62,24 @@ ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3
   return closest_point(triangle, closest_on(triangle, detail::is_sliver(triangle), query), FaceId());
 }
 
-// The query in the boxes' coordinates, rounded both ways, in four lanes.
-struct TriangleTree::PointQuery {
+// A point or a box in the coordinates of the tree's boxes, rounded outward, in four lanes.
+struct TriangleTree::Query {
   std::array<Floats, 3> up, down;
-  PointQuery(const Vec3& query, const Vec3& origin) {
+  Query(const Vec3& point, const Vec3& origin) : Query(BoundingBox{point, point}, origin) {}
+  Query(const BoundingBox& box, const Vec3& origin) {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto axis = static_cast<Eigen::Index>(i);
-      const auto x = static_cast<float>(query[axis] - origin[axis]);
-      const float slack = std::abs(x) * float_slack;
-      up[i] = Floats::Constant(x + slack);
-      down[i] = Floats::Constant(x - slack);
+      const auto low = static_cast<float>(box.low[axis] - origin[axis]);
+      const auto high = static_cast<float>(box.high[axis] - origin[axis]);
+      up[i] = Floats::Constant(high + std::abs(high) * float_slack);
+      down[i] = Floats::Constant(low - std::abs(low) * float_slack);
+    }
+  }
+  /// The box of one child.
+  Query(const Node& node, std::size_t child) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      up[i] = Floats::Constant(node.high[i][child]);
+      down[i] = Floats::Constant(node.low[i][child]);
     }
   }
   /// Lower bounds of the squared distances to the four boxes.
@@ -87,7 +96,7 @@ struct TriangleTree::PointQuery {
 // Nearest boxes first. `prune(node, distances)` may turn distances into NaN, which are not followed;
 // `visit(slot)` sees single triangles, may lower `bound` (a squared distance) and returns true to stop.
 template <class Prune, class Visit>
-void TriangleTree::traverse(const PointQuery& query, const double& bound, const Prune& prune,
+void TriangleTree::traverse(const Query& query, const double& bound, const Prune& prune,
                             const Visit& visit) const {
   struct Entry {
     float squared_distance;
@@ -126,7 +135,7 @@ void TriangleTree::traverse(const PointQuery& query, const double& bound, const 
 ClosestPoint TriangleTree::closest(const Vec3& query, double within) const {
   Best best{within > 0 ? within * within : 0.0};
   traverse(
-      PointQuery(query, origin_), best.squared_distance, [](std::size_t, Floats&) {},
+      Query(query, origin_), best.squared_distance, [](std::size_t, Floats&) {},
       [&](std::size_t slot) {
         best.offer(closest_on(triangles_[slot], sliver_[slot], query), order_[slot], static_cast<int>(slot));
         return false;
@@ -149,7 +158,7 @@ std::optional<ClosestPoint> TriangleTree::closest_compatible(const Vec3& query, 
     }
     distances = (cosine > least).select(distances, Floats::Constant(std::numeric_limits<float>::quiet_NaN()));
   };
-  traverse(PointQuery(query, origin_), best.squared_distance, incompatible_to_nan, [&](std::size_t slot) {
+  traverse(Query(query, origin_), best.squared_distance, incompatible_to_nan, [&](std::size_t slot) {
     const Vec3& m = normals_[slot];
     if (!(m.dot(normal) > min_cosine) || m.isZero(0)) return false;
     best.offer(closest_on(triangles_[slot], sliver_[slot], query), order_[slot], static_cast<int>(slot));
@@ -164,7 +173,7 @@ bool TriangleTree::any_within(const Vec3& query, double radius) const {
   const double bound = radius * radius;
   bool found = false;
   traverse(
-      PointQuery(query, origin_), bound, [](std::size_t, Floats&) {},
+      Query(query, origin_), bound, [](std::size_t, Floats&) {},
       [&](std::size_t slot) {
         found = closest_on(triangles_[slot], sliver_[slot], query).squared_distance <= bound;
         return found;
@@ -177,7 +186,7 @@ std::vector<FaceId> TriangleTree::faces_within(const Vec3& query, double radius)
   if (!(radius >= 0)) return faces;
   const double bound = radius * radius;
   traverse(
-      PointQuery(query, origin_), bound, [](std::size_t, Floats&) {},
+      Query(query, origin_), bound, [](std::size_t, Floats&) {},
       [&](std::size_t slot) {
         if (closest_on(triangles_[slot], sliver_[slot], query).squared_distance <= bound)
           faces.emplace_back(order_[slot]);
@@ -185,6 +194,81 @@ std::vector<FaceId> TriangleTree::faces_within(const Vec3& query, double radius)
       });
   std::sort(faces.begin(), faces.end());
   return faces;
+}
+
+// Descends on both sides of a pair at once.
+struct TriangleTree::Overlaps {
+  const TriangleTree& tree;
+  const std::function<void(FaceId, FaceId)>& visit;
+  std::vector<BoundingBox> boxes;  // of the triangles, in the order of the leaves
+
+  const Node& node(int child) const { return tree.nodes_[static_cast<std::size_t>(child)]; }
+  static bool meet(const BoundingBox& a, const BoundingBox& b) {
+    return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
+  }
+
+  void compare(std::size_t a, std::size_t b) const {
+    if (!meet(boxes[a], boxes[b])) return;
+    const auto [first, second] = std::minmax(tree.order_[a], tree.order_[b]);
+    visit(FaceId(first), FaceId(second));
+  }
+
+  void within(int child) const {
+    if (child < 0) {
+      const auto first = static_cast<std::size_t>(detail::leaf_first(child));
+      const auto end = first + static_cast<std::size_t>(detail::leaf_count(child));
+      for (std::size_t a = first; a < end; ++a)
+        for (std::size_t b = a + 1; b < end; ++b) compare(a, b);
+      return;
+    }
+    const Node& n = node(child);
+    for (std::size_t k = 0; k < 4; ++k) {
+      within(n.child[k]);
+      const Floats distances = Query(n, k).squared_distances(n);
+      for (std::size_t l = k + 1; l < 4; ++l)
+        if (distances[static_cast<Eigen::Index>(l)] <= 0) between(n.child[k], n.child[l]);
+    }
+  }
+
+  void between(int a, int b) const {
+    if (a < 0 && b < 0) return between_leaves(a, b);
+    if (a < 0 || b < 0)
+      return below(std::max(a, b), Query(leaf_box(std::min(a, b)), tree.origin_), std::min(a, b));
+    for (std::size_t k = 0; k < 4; ++k) below(b, Query(node(a), k), node(a).child[k]);
+  }
+
+  // The pairs of `other`, whose box is the query, with the children of a node.
+  void below(int inner, const Query& query, int other) const {
+    const Node& n = node(inner);
+    const Floats distances = query.squared_distances(n);
+    for (std::size_t l = 0; l < 4; ++l)
+      if (distances[static_cast<Eigen::Index>(l)] <= 0) between(other, n.child[l]);
+  }
+
+  void between_leaves(int a, int b) const {
+    for (int i = 0; i < detail::leaf_count(a); ++i)
+      for (int j = 0; j < detail::leaf_count(b); ++j)
+        compare(static_cast<std::size_t>(detail::leaf_first(a) + i),
+                static_cast<std::size_t>(detail::leaf_first(b) + j));
+  }
+
+  BoundingBox leaf_box(int leaf) const {
+    const auto first = static_cast<std::size_t>(detail::leaf_first(leaf));
+    BoundingBox box = boxes[first];
+    for (std::size_t i = first + 1; i < first + static_cast<std::size_t>(detail::leaf_count(leaf)); ++i) {
+      box.low = box.low.cwiseMin(boxes[i].low);
+      box.high = box.high.cwiseMax(boxes[i].high);
+    }
+    return box;
+  }
+};
+
+void TriangleTree::for_each_overlap(const std::function<void(FaceId, FaceId)>& visit) const {
+  if (nodes_.empty()) return;
+  Overlaps overlaps{*this, visit, {}};
+  overlaps.boxes.reserve(triangles_.size());
+  for (const auto& t : triangles_) overlaps.boxes.push_back(bounding_box(t));
+  overlaps.within(0);
 }
 
 }  // namespace foramen

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/flips.hpp"
+#include "foramen/spatial/self_intersections.hpp"
 #include "support/torus_cohort.hpp"
 
 namespace foramen {
@@ -54,6 +56,10 @@ TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
   CorrespondingCohort cohort = torus_cohort({.shapes = 3});
   // One landmark of shape 1 is pulled across its neighbours.
   cohort.corresponding[1][30] += 1.6 * (cohort.corresponding[1][38] - cohort.corresponding[1][30]);
+  // Two vertices of the input of shape 2, on opposite sides of its tube, change places.
+  std::vector<Vec3> swapped(cohort.inputs[2].positions().begin(), cohort.inputs[2].positions().end());
+  std::swap(swapped[0], swapped[8]);
+  cohort.inputs[2] = cohort.inputs[2].with_positions(swapped);
   const AlignedCohort aligned = align_cohort(cohort, ScaleMode::keep);
   const SurfaceDistanceOptions options{.samples = 500, .seed = 4};
   const Representation r = representation(cohort, aligned, options, RunContext(2));
@@ -68,6 +74,9 @@ TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
     EXPECT_EQ(r.shapes[i].distance.hausdorff, d.hausdorff);
     EXPECT_EQ(r.shapes[i].plain_flips, static_cast<int>(sampled_flips(mesh, input).plain.size()));
     EXPECT_EQ(r.shapes[i].confirmed_flips, static_cast<int>(sampled_flips(mesh, input).confirmed.size()));
+    EXPECT_EQ(r.shapes[i].self_intersections,
+              static_cast<int>(self_intersections(TriangleTree(mesh)).size()));
+    EXPECT_EQ(r.shapes[i].input_self_intersections, static_cast<int>(self_intersections(input).size()));
     sum += r.shapes[i].distance.hausdorff / 3;
   }
   EXPECT_NEAR(r.hausdorff.mean, sum, 1e-12);
@@ -75,6 +84,12 @@ TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
   EXPECT_GT(r.shapes[1].plain_flips, r.shapes[0].plain_flips);
   EXPECT_GT(r.shapes[1].opposing_mean, 0);
   EXPECT_EQ(r.shapes[2].opposing_mean, 0);
+  EXPECT_EQ(r.shapes[0].self_intersections, 0);
+  EXPECT_GT(r.shapes[1].self_intersections, 0);
+  EXPECT_NEAR(r.self_intersections.mean, r.shapes[1].self_intersections / 3.0, 1e-12);
+  EXPECT_EQ(r.shapes[0].input_self_intersections, 0);
+  EXPECT_GT(r.shapes[2].input_self_intersections, 0);
+  EXPECT_NEAR(r.input_self_intersections.mean, r.shapes[2].input_self_intersections / 3.0, 1e-12);
 }
 
 TEST(EvaluateModel, RunsEveryMeasureForItsModes) {
@@ -91,6 +106,7 @@ TEST(EvaluateModel, RunsEveryMeasureForItsModes) {
   EXPECT_EQ(e.specificity.by_modes.size(), 5u);
   EXPECT_EQ(e.specificity.by_modes[0].items.size(), 6u);
   EXPECT_EQ(e.ensemble.size(), 5u);
+  EXPECT_EQ(e.drawn.draws.size(), 6u);
   EXPECT_EQ(e.representation.shapes.size(), 6u);
   ASSERT_TRUE(e.truth.has_value());
   EXPECT_LT(e.truth->error.max, 1e-10);

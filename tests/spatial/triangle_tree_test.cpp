@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
@@ -242,6 +244,23 @@ TEST(TriangleTree, FacesWithinIncludesTheRadiusItself) {
   const TriangleTree tree(plate(3));
   EXPECT_EQ(tree.faces_within(Vec3(1, 1, 2), 2.0).size(), 6u);
   EXPECT_TRUE(tree.faces_within(Vec3(1, 1, 2), 1.999).empty());
+}
+
+TEST(TriangleTree, OverlapsAreAllPairsOfBoxesThatMeet) {
+  for (const auto& [name, mesh] : meshes()) {
+    SCOPED_TRACE(name);
+    const auto box = [&surface = mesh](FaceId f) { return bounding_box(surface.triangle(f)); };
+    std::vector<std::pair<FaceId, FaceId>> found, expected;
+    TriangleTree(mesh).for_each_overlap([&](FaceId f, FaceId g) { found.emplace_back(f, g); });
+    for (FaceId f : mesh.faces())
+      for (FaceId g : mesh.faces())
+        if (f < g && (box(f).low.array() <= box(g).high.array()).all() &&
+            (box(g).low.array() <= box(f).high.array()).all())
+          expected.emplace_back(f, g);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+  }
+  TriangleTree{Mesh()}.for_each_overlap([](FaceId, FaceId) { FAIL(); });
 }
 
 TEST(TriangleTree, RefitAnswersLikeANewTree) {

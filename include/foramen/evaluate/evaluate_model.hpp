@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "foramen/evaluate/compactness.hpp"
+#include "foramen/evaluate/drawn_shapes.hpp"
 #include "foramen/evaluate/ensemble.hpp"
 #include "foramen/evaluate/generalization.hpp"
 #include "foramen/evaluate/representation.hpp"
@@ -17,14 +18,14 @@ namespace foramen {
 
 struct EvaluationOptions {
   ScaleMode scale = ScaleMode::keep;
-  int draws = 1000;                ///< for specificity, > 0
+  int draws = 1000;                ///< for specificity, and as many for drawn_shapes, > 0
   int samples = 20000;             ///< of each surface for its distances, > 0
   int specificity_samples = 2000;  ///< the same for specificity, > 0
   std::uint64_t seed = 1;
 };
 
 struct EvaluationSeconds {
-  double model = 0, representation = 0, generalization = 0, specificity = 0, truth = 0;
+  double model = 0, representation = 0, generalization = 0, specificity = 0, drawn = 0, truth = 0;
 };
 
 struct Evaluation {
@@ -39,6 +40,7 @@ struct Evaluation {
       leave_subject_out;  ///< unset: subjects not known, or fewer than 2, or too few shapes remain
   Specificity specificity;
   std::vector<EnsembleAtModes> ensemble;
+  DrawnShapes drawn;
   Representation representation;
   std::optional<TruthError> truth;  ///< unset: no truth was given
   EvaluationSeconds seconds;        ///< how long it took; differs from run to run, nothing else does

@@ -21,4 +21,8 @@ void write_metrics(const std::filesystem::path& folder, const Evaluation& evalua
 /// Reads FOLDER/metrics.json back: everything but the single items behind the estimates. Throws IoError.
 Evaluation read_metrics(const std::filesystem::path& folder);
 
+/// The same with what FOLDER/metrics.csv holds of each shape: the items of the generalizations, in the order
+/// of the names. Those of draws are left out. Throws IoError if the two files do not belong together.
+Evaluation read_metrics_of_shapes(const std::filesystem::path& folder);
+
 }  // namespace foramen

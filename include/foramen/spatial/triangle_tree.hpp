@@ -3,6 +3,7 @@
 /// Closest points on a triangle mesh by a bounding-volume hierarchy.
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -43,6 +44,9 @@ class TriangleTree {
   bool any_within(const Vec3& query, double radius) const;
   /// Every face whose distance to the query is <= radius, in order of index.
   std::vector<FaceId> faces_within(const Vec3& query, double radius) const;
+  /// Calls `visit` once for every two faces whose bounding boxes meet (touching is meeting), the smaller
+  /// index first. The order of the calls follows the hierarchy.
+  void for_each_overlap(const std::function<void(FaceId, FaceId)>& visit) const;
   /// Another mesh of the same connectivity: boxes are recomputed, the hierarchy is kept. Throws InvalidInput
   /// if the triangles differ.
   void refit(const Mesh& mesh);
@@ -60,10 +64,11 @@ class TriangleTree {
     std::array<Row, 3> low, high;
   };
   struct Builder;
-  struct PointQuery;
+  struct Query;
+  struct Overlaps;
   void refresh();
   template <class Prune, class Visit>
-  void traverse(const PointQuery& query, const double& bound, const Prune& prune, const Visit& visit) const;
+  void traverse(const Query& query, const double& bound, const Prune& prune, const Visit& visit) const;
 
   Mesh mesh_;
   Vec3 origin_ = Vec3::Zero();
