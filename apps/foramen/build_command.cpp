@@ -72,6 +72,9 @@ void BuildFlags::add_to(CLI::App& command) {
   command.add_option("--seed", build.seed, "seed of all random numbers");
   command.add_option("--scale", build.scale, "keep or remove the shapes' size")
       ->transform(one_of<ScaleMode>({{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}}));
+  command.add_option("--weights", build.weights, "what landmarks count for: all alike, or by their area")
+      ->transform(
+          one_of<LandmarkWeights>({{"equal", LandmarkWeights::equal}, {"area", LandmarkWeights::area}}));
   command.add_option("--subject-regex", subject_pattern,
                      "the part of a file name that names its subject (first group, or all)");
   command.add_flag("--paper", paper, "the paper's own choices throughout");

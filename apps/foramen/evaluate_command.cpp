@@ -47,6 +47,13 @@ void add_evaluate(CLI::App& program, Run& run) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, ScaleMode>{{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
           CLI::ignore_case));
+  command
+      ->add_option("--weights", request.options.weights,
+                   "what landmarks count for: all alike, or by their area")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, LandmarkWeights>{{"equal", LandmarkWeights::equal},
+                                                                         {"area", LandmarkWeights::area}},
+                                  CLI::ignore_case));
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return evaluate(*options); }; });
 }

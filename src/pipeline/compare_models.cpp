@@ -46,6 +46,7 @@ ReportTable single_figures(const std::vector<NamedEvaluation>& models) {
     table.rows.push_back(std::move(row));
   };
   add_row("landmarks", [](const Evaluation& e) { return std::to_string(e.landmarks); });
+  add_row("weights", [](const Evaluation& e) { return std::string(name(e.options.weights)); });
   add_row("mean", [](const Evaluation& e) { return fixed(e.representation.mean_surface, 3); });
   add_row("p95", [](const Evaluation& e) { return fixed(e.representation.p95, 3); });
   add_row("Hausd.", [](const Evaluation& e) { return fixed(e.representation.hausdorff, 2); });

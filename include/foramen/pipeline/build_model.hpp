@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "foramen/correspond/register_shape.hpp"
+#include "foramen/model/landmark_weights.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "foramen/pipeline/read_cohort.hpp"
@@ -29,6 +30,7 @@ struct BuildOptions {
   int grid_points = 65000;       ///< Of the dense uniform sampling of the torus.
   RemeshOptions remeshing = {};  ///< (its number of landmarks is set from the above)
   ScaleMode scale = ScaleMode::keep;
+  LandmarkWeights weights = LandmarkWeights::equal;  ///< in the alignment and the model
   std::uint64_t seed = 1;
 };
 
