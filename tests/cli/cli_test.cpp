@@ -149,12 +149,12 @@ TEST_F(Cli, AreaWeightsAreTakenAndRecorded) {
   const fs::path model = folder() / "area", metrics = folder() / "area_metrics";
   const std::string shapes = (synth() / "shapes").string();
   const Outcome built =
-      run("build --landmarks 400 --samples 5 --weights area " + shapes + " -o " + model.string());
+      run("build --landmarks 400 --samples 5 --weights AREA " + shapes + " -o " + model.string());
   ASSERT_EQ(built.code, 0) << built.output;
   EXPECT_THAT(built.output, HasSubstr("landmark weights: area"));
   const auto record = nlohmann::json::parse(contents(model / "run.json"));
   EXPECT_EQ(record.at("options").at("landmark_weights"), "area");
-  EXPECT_THAT(record.at("command").get<std::string>(), HasSubstr("--weights"));
+  EXPECT_THAT(record.at("command").get<std::string>(), HasSubstr("--weights area"));
   EXPECT_EQ(run("sample " + model.string() + " -n 2 -o " + (folder() / "area_samples").string()).code, 0);
 
   const std::string evaluate = "evaluate --samples 5 --shapes " + shapes + " -o " + metrics.string() + " ";
