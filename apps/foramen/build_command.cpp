@@ -7,11 +7,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class Value>
-CLI::CheckedTransformer one_of(const std::map<std::string, Value>& names) {
-  return CLI::CheckedTransformer(names, CLI::ignore_case);
-}
-
 struct BuildCommand {
   BuildFlags flags;
   std::vector<std::string> inputs;
@@ -54,14 +49,12 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
 }  // namespace
 
 void BuildFlags::add_to(CLI::App& command) {
-  command.add_option("--method", build.method, "torus maps, or the ICP baseline")
-      ->transform(one_of<Method>({{"torus", Method::torus}, {"icp", Method::icp}}));
-  objective_option = command
-                         .add_option("--objective", objective,
-                                     "what draws the maps together: points of the bent mean's surface, or "
-                                     "the paper's soft neighbours")
-                         ->transform(one_of<Objective>(
-                             {{"surface", Objective::surface}, {"neighbours", Objective::neighbours}}));
+  add_choice<Method>(command, "--method", build.method, {{"torus", Method::torus}, {"icp", Method::icp}},
+                     "torus maps, or the ICP baseline");
+  objective_option = add_choice<Objective>(
+      command, "--objective", objective,
+      {{"surface", Objective::surface}, {"neighbours", Objective::neighbours}},
+      "what draws the maps together: points of the bent mean's surface, or the paper's soft neighbours");
   command.add_option("--reference", build.reference, "name of the reference shape, or auto");
   lambda_option = command.add_option("--lambda", lambda, "weight of distortion against correspondence")
                       ->check(CLI::PositiveNumber);
@@ -77,18 +70,22 @@ void BuildFlags::add_to(CLI::App& command) {
       .add_option("--samples", evaluation.draws, "random shapes for specificity, and for their own quality")
       ->check(CLI::Range(1, 1000000));
   command.add_option("--seed", build.seed, "seed of all random numbers");
-  command.add_option("--scale", build.scale, "keep or remove the shapes' size")
-      ->transform(one_of<ScaleMode>({{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}}));
+  add_choice<ScaleMode>(command, "--scale", build.scale,
+                        {{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
+                        "keep or remove the shapes' size");
+  add_choice<LandmarkWeights>(command, "--weights", build.weights,
+                              {{"equal", LandmarkWeights::equal}, {"area", LandmarkWeights::area}},
+                              "what landmarks count for: all alike, or by their area");
   command.add_option("--subject-regex", subject_pattern,
                      "the part of a file name that names its subject (first group, or all)");
   command.add_flag("--paper", paper, "the paper's own choices throughout");
-  map_option = command.add_option("--initial-map", initial_map, "first map of a shape")
-                   ->transform(one_of<InitialMap>(
-                       {{"torus", InitialMap::torus}, {"rectangle", InitialMap::rectangle}}));
+  map_option = add_choice<InitialMap>(command, "--initial-map", initial_map,
+                                      {{"torus", InitialMap::torus}, {"rectangle", InitialMap::rectangle}},
+                                      "first map of a shape");
   optimiser_option =
-      command.add_option("--optimiser", optimiser, "projected Newton, or the paper's node-wise descent")
-          ->transform(one_of<Optimiser>(
-              {{"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}}));
+      add_choice<Optimiser>(command, "--optimiser", optimiser,
+                            {{"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}},
+                            "projected Newton, or the paper's node-wise descent");
 }
 
 BuildOptions BuildFlags::resolved() const {
@@ -123,11 +120,12 @@ void add_build(CLI::App& program, Run& run) {
   command->add_option("inputs", options->inputs, "mesh files or folders of them")->required();
   command->add_option("-o,--output", options->output, "folder of the model")->required();
   options->flags.add_to(*command);
-  command->add_option("--units", options->unit, "unit of the input files: mm, cm, m, um")
-      ->transform(one_of<LengthUnit>({{"mm", LengthUnit::millimetre},
-                                      {"cm", LengthUnit::centimetre},
-                                      {"m", LengthUnit::metre},
-                                      {"um", LengthUnit::micrometre}}));
+  add_choice<LengthUnit>(*command, "--units", options->unit,
+                         {{"mm", LengthUnit::millimetre},
+                          {"cm", LengthUnit::centimetre},
+                          {"m", LengthUnit::metre},
+                          {"um", LengthUnit::micrometre}},
+                         "unit of the input files");
   command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {

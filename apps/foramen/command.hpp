@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,19 @@ struct Console {
   /// A warning: always shown unless quiet.
   void warn(const std::string& line) const;
 };
+
+/// An option whose value is one of these words, in any case. It keeps the word (a CLI11 transformer of values
+/// would keep their numbers), so that the recorded command reads as one would type it.
+template <class Value>
+CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& value,
+                        const std::map<std::string, Value>& choices, const std::string& what) {
+  std::vector<std::string> words;
+  words.reserve(choices.size());
+  for (const auto& [word, meaning] : choices) words.push_back(word);
+  const auto take = [&value, choices](const std::string& word) { value = choices.at(word); };
+  return command.add_option_function<std::string>(option, take, what)
+      ->transform(CLI::IsMember(words, CLI::ignore_case));
+}
 
 /// Adds --threads, --json, --quiet.
 void add_console_options(CLI::App& command, Console& console);

@@ -45,10 +45,12 @@ void add_evaluate(CLI::App& program, Run& run) {
   command->add_option("--seed", request.options.seed, "seed of all random numbers");
   command->add_option("--subject-regex", request.subject_pattern,
                       "the part of a file name that names its subject");
-  command->add_option("--scale", request.options.scale, "keep or remove the shapes' size")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ScaleMode>{{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
-          CLI::ignore_case));
+  add_choice<ScaleMode>(*command, "--scale", request.options.scale,
+                        {{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
+                        "keep or remove the shapes' size");
+  add_choice<LandmarkWeights>(*command, "--weights", request.options.weights,
+                              {{"equal", LandmarkWeights::equal}, {"area", LandmarkWeights::area}},
+                              "what landmarks count for: all alike, or by their area");
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return evaluate(*options); }; });
 }

@@ -16,7 +16,8 @@ SurfaceTargets::SurfaceTargets(const Mesh& shape, const TemplateSurface& surface
                                const SurfaceTargetsOptions& options)
     : reducer_(surface.map.lattice), targets_(static_cast<std::size_t>(shape.vertex_count())) {
   if (!(options.reach_mm > 0))
-    throw InvalidInput("SurfaceTargets: reach_mm is " + std::to_string(options.reach_mm) + "; it must be > 0");
+    throw InvalidInput("SurfaceTargets: reach_mm is " + std::to_string(options.reach_mm) +
+                       "; it must be > 0");
   const TriangleTree tree(surface.mesh.with_positions(std::move(bent)));
   const VertexMap<Vec3> normals = vertex_normals(shape);
   for (VertexId v : shape.vertices()) {
@@ -41,8 +42,8 @@ CorrespondenceObjective::Term SurfaceTargets::term(VertexId v, const Vec2& plane
 }
 
 double SurfaceTargets::share_without() const {
-  const auto without = std::count_if(targets_.begin(), targets_.end(),
-                                     [](const Target& t) { return t.weight.isZero(0); });
+  const auto without =
+      std::count_if(targets_.begin(), targets_.end(), [](const Target& t) { return t.weight.isZero(0); });
   return static_cast<double>(without) / static_cast<double>(targets_.size());
 }
 

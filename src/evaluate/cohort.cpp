@@ -61,12 +61,13 @@ Mesh transformed(const Mesh& mesh, const SimilarityTransform& transform) {
   return mesh.with_positions(std::move(moved));
 }
 
-AlignedCohort align_cohort(const CorrespondingCohort& cohort, ScaleMode scale) {
+AlignedCohort align_cohort(const CorrespondingCohort& cohort, ScaleMode scale, LandmarkWeights weights) {
+  std::vector<double> of_landmarks = landmark_weights(cohort.corresponding, cohort.triangles, scale, weights);
   AlignedCohort aligned;
-  aligned.alignment = procrustes(cohort.corresponding, scale);
+  aligned.alignment = procrustes(cohort.corresponding, scale, of_landmarks);
   for (std::size_t s = 0; s < cohort.inputs.size(); ++s)
     aligned.inputs.push_back(transformed(cohort.inputs[s], aligned.alignment.transforms[s]));
-  aligned.model = build_shape_model(aligned.alignment.aligned, cohort.triangles);
+  aligned.model = build_shape_model(aligned.alignment.aligned, cohort.triangles, std::move(of_landmarks));
   return aligned;
 }
 

@@ -37,15 +37,17 @@ Evaluation evaluate_model(const CorrespondingCohort& cohort, const EvaluationOpt
   e.subjects = cohort.subjects;
   e.landmarks = cohort.landmarks();
 
-  const AlignedCohort aligned = timed(e.seconds.model, [&] { return align_cohort(cohort, options.scale); });
+  const AlignedCohort aligned =
+      timed(e.seconds.model, [&] { return align_cohort(cohort, options.scale, options.weights); });
   const int last_mode = cohort.size() - 1;
-  e.total_variance = aligned.model.variance().sum() / aligned.model.landmarks();
+  e.total_variance = aligned.model.variance().sum() / aligned.model.total_weight();
   e.compactness = compactness(aligned.model, last_mode);
   e.representation = timed(e.seconds.representation, [&] {
     return representation(cohort, aligned, {.samples = options.samples, .seed = options.seed}, ctx);
   });
 
-  GeneralizationOptions leave_out{.scale = options.scale, .samples = options.samples, .seed = options.seed};
+  GeneralizationOptions leave_out{
+      .scale = options.scale, .weights = options.weights, .samples = options.samples, .seed = options.seed};
   e.leave_one_out = timed(e.seconds.generalization, [&] { return generalization(cohort, leave_out, ctx); });
   leave_out.leave_out = LeaveOut::subject;
   if (can_leave_subjects_out(cohort))

@@ -1,7 +1,6 @@
 #include "foramen/evaluate/generalization.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -45,14 +44,15 @@ struct PartialModel {
   ShapeModel model;
 };
 
-PartialModel model_without(const CorrespondingCohort& cohort, const Group& group, ScaleMode scale) {
+PartialModel model_without(const CorrespondingCohort& cohort, const Group& group, ScaleMode scale,
+                           const std::vector<double>& weights) {
   std::vector<std::vector<Vec3>> others;
   for (int i = 0; i < cohort.size(); ++i)
     if (std::find(group.begin(), group.end(), i) == group.end())
       others.push_back(cohort.corresponding[static_cast<std::size_t>(i)]);
   PartialModel partial;
-  partial.alignment = procrustes(others, scale);
-  partial.model = build_shape_model(partial.alignment.aligned, cohort.triangles);
+  partial.alignment = procrustes(others, scale, weights);
+  partial.model = build_shape_model(partial.alignment.aligned, cohort.triangles, weights);
   return partial;
 }
 
@@ -60,12 +60,13 @@ PartialModel model_without(const CorrespondingCohort& cohort, const Group& group
 std::vector<ShapeError> fit_errors(const CorrespondingCohort& cohort, int shape, const PartialModel& partial,
                                    const std::vector<int>& counts, const GeneralizationOptions& options) {
   const auto& landmarks = cohort.corresponding[static_cast<std::size_t>(shape)];
-  const SimilarityTransform motion = align_to_mean(landmarks, partial.alignment, options.scale);
+  const ShapeModel& model = partial.model;
+  const SimilarityTransform motion =
+      align_to_mean(landmarks, partial.alignment, options.scale, model.weights());
   Eigen::VectorXd truth(static_cast<Eigen::Index>(3 * landmarks.size()));
   for (std::size_t p = 0; p < landmarks.size(); ++p)
     truth.segment<3>(static_cast<Eigen::Index>(3 * p)) = motion(landmarks[p]);
 
-  const ShapeModel& model = partial.model;
   const Eigen::VectorXd scores = model.scores(truth, model.modes());
   const detail::MeasuredSurface input(transformed(cohort.inputs[static_cast<std::size_t>(shape)], motion),
                                       options.samples, options.seed);
@@ -82,7 +83,7 @@ std::vector<ShapeError> fit_errors(const CorrespondingCohort& cohort, int shape,
                                            *std::max_element(from_input.begin(), from_input.end()));
     errors.push_back({detail::hausdorff_distance(fit, input, infinity, start, largest_sample),
                       0.5 * (detail::mean_of(from_fit) + detail::mean_of(from_input)),
-                      std::sqrt((x - truth).squaredNorm() / model.landmarks())});
+                      model.landmark_rms(x, truth)});
   }
   return errors;
 }
@@ -111,10 +112,12 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
                        cohort.subjects[static_cast<std::size_t>(largest->front())] + " only " +
                        std::to_string(remaining) + " shapes remain; a model needs 2");
 
+  const std::vector<double> weights =
+      landmark_weights(cohort.corresponding, cohort.triangles, options.scale, options.weights);
   std::vector<PartialModel> models(groups.size());
   parallel_for(static_cast<int>(groups.size()), ctx, [&](int g) {
     models[static_cast<std::size_t>(g)] =
-        model_without(cohort, groups[static_cast<std::size_t>(g)], options.scale);
+        model_without(cohort, groups[static_cast<std::size_t>(g)], options.scale, weights);
   });
   std::vector<std::size_t> group_of(cohort.corresponding.size());
   for (std::size_t g = 0; g < groups.size(); ++g)

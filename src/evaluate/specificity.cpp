@@ -28,7 +28,7 @@ constexpr double usual_deviations = 2;
 
 /// mm
 double usual_reach(const ShapeModel& model) {
-  return 1 + usual_deviations * std::sqrt(model.variance().sum() / model.landmarks());
+  return 1 + usual_deviations * std::sqrt(model.variance().sum() / model.total_weight());
 }
 
 /// mm
@@ -99,9 +99,10 @@ class Ensemble {
   }
 
   double smallest_landmark_rms(const Eigen::VectorXd& x) const {
-    double squared = infinity;
-    for (const Eigen::VectorXd& shape : landmarks_) squared = std::min(squared, (shape - x).squaredNorm());
-    return std::sqrt(squared / model_.landmarks());
+    double closest = infinity;
+    for (const Eigen::VectorXd& shape : landmarks_)
+      closest = std::min(closest, model_.landmark_rms(shape, x));
+    return closest;
   }
 
   const ShapeModel& model_;

@@ -31,8 +31,7 @@ Eigen::MatrixXd weighted_deviations(const std::vector<std::vector<Vec3>>& aligne
   Eigen::MatrixXd x(3 * points, static_cast<Eigen::Index>(aligned.size()));
   for (Eigen::Index i = 0; i < x.cols(); ++i)
     for (Eigen::Index k = 0; k < points; ++k)
-      x.block<3, 1>(3 * k, i) =
-          roots[k] * aligned[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+      x.block<3, 1>(3 * k, i) = roots[k] * aligned[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
   x.colwise() -= x.rowwise().mean().eval();
   return x;
 }
@@ -47,7 +46,8 @@ DescriptionLength description_length(const std::vector<std::vector<Vec3>>& align
   const auto shapes = static_cast<Eigen::Index>(aligned.size());
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   Eigen::VectorXd roots(points);
-  for (Eigen::Index k = 0; k < points; ++k) roots[k] = std::sqrt(weights[static_cast<std::size_t>(k)] / total);
+  for (Eigen::Index k = 0; k < points; ++k)
+    roots[k] = std::sqrt(weights[static_cast<std::size_t>(k)] / total);
   const Eigen::MatrixXd x = weighted_deviations(aligned, roots);
   const double divisor = static_cast<double>(shapes - 1), cut = options.cut_mm2;
 

@@ -36,9 +36,9 @@ struct Member {
   const Mesh* input = nullptr;
   RegisteredShape result;
   WorkingMesh working;
-  OptimisedMap map;                                          // of the working mesh
+  OptimisedMap map;  // of the working mesh
   RigidTransform to_template = RigidTransform::Identity();
-  std::vector<Vec3> bent;  // the template's vertices bent onto the shape, in template coordinates
+  std::vector<Vec3> bent;       // the template's vertices bent onto the shape, in template coordinates
   std::vector<Vec3> attractor;  // the same for what the description length draws it to; empty: bent serves
 };
 
@@ -81,7 +81,8 @@ class GroupRegistrar {
 
   GroupRegistration run() {
     PreparedTemplate first(
-        remeshed_template(reference_.mesh(), reference_.shape_map.map, options_.mean.vertices, ctx_), options_);
+        remeshed_template(reference_.mesh(), reference_.shape_map.map, options_.mean.vertices, ctx_),
+        options_);
     for_each_member("register", [&](int i) { begin(i, first); });
     const PreparedTemplate* last = &first;
     std::unique_ptr<PreparedTemplate> mean;
@@ -169,7 +170,8 @@ class GroupRegistrar {
     const Mesh aligned = transformed(member.working.mesh, member.to_template);
     // Corresponding points are where the last round left them.
     const TorusLocator locator(member.working.mesh, member.map.map);
-    const auto start = transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
+    const auto start =
+        transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
     member.bent = deform_template(to.surface.mesh, to.displacements, aligned, single_, options_.again, start);
     improve(member, aligned, to);
   }

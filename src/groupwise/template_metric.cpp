@@ -8,7 +8,9 @@
 namespace foramen {
 
 TemplateMetric::TemplateMetric(const TemplateSurface& surface)
-    : locator_(surface.mesh, surface.map), tensors_(metric_tensors(surface)), area_(total_area(surface.mesh)) {}
+    : locator_(surface.mesh, surface.map),
+      tensors_(metric_tensors(surface)),
+      area_(total_area(surface.mesh)) {}
 
 TargetMetric TemplateMetric::at(const Mesh& shape, const TorusMap& map) const {
   TargetMetric metric{FaceMap<Mat2>(shape.face_count(), Mat2::Identity()), area_};

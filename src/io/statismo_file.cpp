@@ -15,6 +15,7 @@ namespace {
 // Single precision leaves columns of unit length to about 1e-6; version 0.8 scaled them by standard
 // deviations.
 constexpr double orthonormality_tolerance = 1e-3;
+constexpr const char* weights_path = "/foramen/landmarkWeights";
 
 H5Matrix<float> single_precision(const Eigen::MatrixXd& matrix) {
   const H5Matrix<double> rows = h5_matrix(matrix);
@@ -41,6 +42,10 @@ H5Matrix<T> columns(const Triples& triples) {
   return out;
 }
 
+bool is_positive(const std::vector<double>& weights) {
+  return std::all_of(weights.begin(), weights.end(), [](double w) { return w > 0 && std::isfinite(w); });
+}
+
 class ModelCheck {
  public:
   ModelCheck(const std::filesystem::path& path, const StatismoModel& model) : path_(path), m_(model) {}
@@ -58,6 +63,9 @@ class ModelCheck {
                std::isfinite(m_.noise_variance) &&
                std::all_of(m_.points.begin(), m_.points.end(), [](const Vec3& p) { return finite(p); }),
            "a value is not a finite number in single precision");
+    expect(m_.landmark_weights.empty() || std::ssize(m_.landmark_weights) == points,
+           "it has another number of landmark weights than points");
+    expect(is_positive(m_.landmark_weights), "a landmark weight is not positive and finite");
     for (const auto& triangle : m_.triangles)
       for (int corner : triangle)
         expect(corner >= 0 && corner < points, "a triangle has a corner that does not exist");
@@ -115,6 +123,7 @@ class ModelReader {
     check_kind();
     read_mesh();
     read_statistics();
+    read_weights();
     read_info();
     return std::move(model_);
   }
@@ -190,6 +199,15 @@ class ModelReader {
            "is negative or not finite");
   }
 
+  void read_weights() {
+    if (!file_.has(weights_path)) return;
+    model_.landmark_weights = file_.vector<double>(weights_path);
+    expect(model_.landmark_weights.size() == model_.points.size(), weights_path,
+           "has " + std::to_string(model_.landmark_weights.size()) + " numbers instead of " +
+               std::to_string(model_.points.size()));
+    expect(is_positive(model_.landmark_weights), weights_path, "has a value that is not positive and finite");
+  }
+
   void read_info() {
     model_.build_time.clear();
     model_.builder_name.clear();
@@ -234,6 +252,7 @@ void write_statismo(const std::filesystem::path& path, const StatismoModel& mode
     file.matrix("/model/pcaBasis", single_precision(model.basis));
     file.vector<float>("/model/pcaVariance", single_precision(model.variance));
     file.scalar("/model/noiseVariance", static_cast<float>(model.noise_variance));
+    if (!model.landmark_weights.empty()) file.vector<double>(weights_path, model.landmark_weights);
     write_info(file, model);
   });
 }

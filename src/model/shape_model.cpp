@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,19 @@ Eigen::VectorXd mean_of(const std::vector<std::vector<Vec3>>& aligned) {
   return mean / static_cast<double>(aligned.size());
 }
 
+/// Rows times the roots of their landmarks' weights: coordinates in which the weights' inner product is the
+/// plain one.
+void scale_rows(Eigen::Ref<Eigen::MatrixXd> x, const std::vector<double>& weights) {
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    x.middleRows<3>(static_cast<Eigen::Index>(3 * i)) *= std::sqrt(weights[i]);
+}
+
+/// The way back.
+void unscale_rows(Eigen::Ref<Eigen::MatrixXd> x, const std::vector<double>& weights) {
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    x.middleRows<3>(static_cast<Eigen::Index>(3 * i)) /= std::sqrt(weights[i]);
+}
+
 /// Makes column k orthonormal to the columns before it; twice is enough. False if nothing of it is left.
 bool orthonormalise(Eigen::MatrixXd& basis, Eigen::Index k) {
   for (int pass = 0; pass < 2; ++pass) {
@@ -42,10 +56,57 @@ bool orthonormalise(Eigen::MatrixXd& basis, Eigen::Index k) {
 }
 
 /// The largest component is positive; of equal ones the first counts.
-void fix_sign(Eigen::MatrixXd& basis, Eigen::Index k) {
-  Eigen::Index largest = 0;
-  basis.col(k).cwiseAbs().maxCoeff(&largest);
-  if (basis(largest, k) < 0) basis.col(k) *= -1.0;
+void fix_signs(Eigen::MatrixXd& basis) {
+  for (Eigen::Index k = 0; k < basis.cols(); ++k) {
+    Eigen::Index largest = 0;
+    basis.col(k).cwiseAbs().maxCoeff(&largest);
+    if (basis(largest, k) < 0) basis.col(k) *= -1.0;
+  }
+}
+
+struct Modes {
+  Eigen::MatrixXd basis;
+  Eigen::VectorXd variance;
+};
+
+/// What is too small to be a mode.
+struct SmallestVariance {
+  double absolute = 0;           // mm^2
+  double relative_to_first = 0;  // of the first mode's
+};
+
+/// At most `most` modes of x x^T / divisor, x in coordinates without weights.
+Modes principal_modes(const Eigen::MatrixXd& x, double divisor, Eigen::Index most,
+                      SmallestVariance smallest) {
+  // n x n in place of 3P x 3P: the eigenvectors of X^T X give those of X X^T.
+  const Eigen::MatrixXd gram = x.transpose() * x / divisor;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+  if (eigen.info() != Eigen::Success)
+    throw ConvergenceError("the eigenvalues of the shapes' Gram matrix were not found");
+  Eigen::MatrixXd basis(x.rows(), most);
+  Eigen::VectorXd variance(most);
+  Eigen::Index kept = 0;
+  for (Eigen::Index k = 0; k < most; ++k) {
+    const Eigen::Index column = x.cols() - 1 - k;  // Eigen sorts upwards
+    basis.col(kept) = x * eigen.eigenvectors().col(column);
+    if (!orthonormalise(basis, kept)) continue;
+    variance[kept] = (basis.col(kept).transpose() * x).squaredNorm() / divisor;
+    const double least = kept == 0 ? 0.0 : smallest.relative_to_first * variance[0];
+    if (!(variance[kept] > std::max(least, smallest.absolute))) break;
+    ++kept;
+  }
+  return {basis.leftCols(kept), variance.head(kept)};
+}
+
+void check_weights(const std::vector<double>& weights, int landmarks) {
+  if (weights.empty()) return;
+  if (std::ssize(weights) != landmarks)
+    throw InvalidInput("found " + std::to_string(weights.size()) + " weights for a shape model of " +
+                       std::to_string(landmarks) + " landmarks: give one per landmark, or none");
+  for (const double w : weights)
+    if (!(w > 0) || !std::isfinite(w))
+      throw InvalidInput("found the landmark weight " + std::to_string(w) +
+                         " for a shape model: weights must be finite and > 0");
 }
 
 void check_shapes(const std::vector<std::vector<Vec3>>& aligned) {
@@ -65,11 +126,12 @@ void check_shapes(const std::vector<std::vector<Vec3>>& aligned) {
 }  // namespace
 
 ShapeModel::ShapeModel(Eigen::VectorXd mean, Eigen::MatrixXd basis, Eigen::VectorXd variance,
-                       std::vector<std::array<int, 3>> triangles)
+                       std::vector<std::array<int, 3>> triangles, std::vector<double> weights)
     : mean_(std::move(mean)),
       basis_(std::move(basis)),
       variance_(std::move(variance)),
-      triangles_(std::move(triangles)) {
+      triangles_(std::move(triangles)),
+      weights_(std::move(weights)) {
   if (mean_.size() == 0 || mean_.size() % 3 != 0)
     throw InvalidInput("the mean of a shape model has " + std::to_string(mean_.size()) +
                        " numbers: three per landmark are needed");
@@ -85,6 +147,11 @@ ShapeModel::ShapeModel(Eigen::VectorXd mean, Eigen::MatrixXd basis, Eigen::Vecto
       if (corner < 0 || corner >= landmarks())
         throw InvalidInput("triangle " + std::to_string(t) + " of the shape model names landmark " +
                            std::to_string(corner) + " of " + std::to_string(landmarks()));
+  check_weights(weights_, landmarks());
+}
+
+double ShapeModel::total_weight() const {
+  return weights_.empty() ? landmarks() : std::accumulate(weights_.begin(), weights_.end(), 0.0);
 }
 
 Eigen::VectorXd ShapeModel::reconstruct(const Eigen::VectorXd& b) const {
@@ -101,7 +168,10 @@ Eigen::VectorXd ShapeModel::scores(const Eigen::VectorXd& shape, int modes_asked
   if (modes_asked < 0 || modes_asked > modes())
     throw InvalidInput("asked for " + std::to_string(modes_asked) + " scores of a model of " +
                        std::to_string(modes()) + " modes");
-  return basis_.leftCols(modes_asked).transpose() * (shape - mean_);
+  Eigen::VectorXd difference = shape - mean_;
+  for (std::size_t i = 0; i < weights_.size(); ++i)
+    difference.segment<3>(static_cast<Eigen::Index>(3 * i)) *= weights_[i];
+  return basis_.leftCols(modes_asked).transpose() * difference;
 }
 
 Eigen::VectorXd ShapeModel::draw(Rng& rng) const {
@@ -115,6 +185,16 @@ Eigen::VectorXd ShapeModel::along_mode(int mode, double sd) const {
     throw InvalidInput("asked for mode " + std::to_string(mode) + " (from 0) of a model of " +
                        std::to_string(modes()) + " modes");
   return mean_ + sd * std::sqrt(variance_[mode]) * basis_.col(mode);
+}
+
+double ShapeModel::landmark_rms(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+  FORAMEN_ASSERT(a.size() == mean_.size() && b.size() == mean_.size());
+  double squares = weights_.empty() ? (a - b).squaredNorm() : 0;
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(3 * i);
+    squares += weights_[i] * (a.segment<3>(at) - b.segment<3>(at)).squaredNorm();
+  }
+  return std::sqrt(squares / total_weight());
 }
 
 Eigen::VectorXd flattened(std::span<const Vec3> points) {
@@ -131,36 +211,38 @@ std::vector<Vec3> unflattened(const Eigen::VectorXd& x) {
 }
 
 ShapeModel build_shape_model(const std::vector<std::vector<Vec3>>& aligned,
-                             std::vector<std::array<int, 3>> triangles) {
+                             std::vector<std::array<int, 3>> triangles, std::vector<double> weights) {
   check_shapes(aligned);
+  check_weights(weights, static_cast<int>(aligned[0].size()));
   const Eigen::VectorXd mean = mean_of(aligned);
-  const Eigen::MatrixXd x = centred_columns(aligned, mean);
-  const auto shapes = static_cast<Eigen::Index>(aligned.size());
-  const double divisor = static_cast<double>(shapes - 1);
-
-  // n x n in place of 3P x 3P: the eigenvectors of X^T X give those of X X^T.
-  const Eigen::MatrixXd gram = x.transpose() * x / divisor;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-  if (eigen.info() != Eigen::Success)
-    throw ConvergenceError("the eigenvalues of the shapes' Gram matrix were not found");
+  Eigen::MatrixXd x = centred_columns(aligned, mean);
+  Eigen::VectorXd scaled_mean = mean;
+  scale_rows(x, weights);
+  scale_rows(scaled_mean, weights);
+  const double divisor = static_cast<double>(aligned.size() - 1);
 
   // About the centroid: a cohort far from the origin has no more rounding to hide than its own digits.
-  const double size = std::max(mean.norm(), x.norm() / std::sqrt(divisor));
-  const double rounding_variance = (rounding_of_shapes * size) * (rounding_of_shapes * size);
-  Eigen::MatrixXd basis(mean.size(), shapes - 1);
-  Eigen::VectorXd variance(shapes - 1);
-  Eigen::Index kept = 0;
-  for (Eigen::Index k = 0; k < shapes - 1; ++k) {
-    const Eigen::Index column = shapes - 1 - k;  // Eigen sorts upwards
-    basis.col(kept) = x * eigen.eigenvectors().col(column);
-    if (!orthonormalise(basis, kept)) continue;
-    variance[kept] = (basis.col(kept).transpose() * x).squaredNorm() / divisor;
-    const double smallest = kept == 0 ? rounding_variance : smallest_variance_ratio * variance[0];
-    if (!(variance[kept] > std::max(smallest, rounding_variance))) break;
-    fix_sign(basis, kept);
-    ++kept;
-  }
-  return ShapeModel(mean, basis.leftCols(kept), variance.head(kept), std::move(triangles));
+  const double rounding = rounding_of_shapes * std::max(scaled_mean.norm(), x.norm() / std::sqrt(divisor));
+  Modes modes =
+      principal_modes(x, divisor, x.cols() - 1,
+                      {.absolute = rounding * rounding, .relative_to_first = smallest_variance_ratio});
+  unscale_rows(modes.basis, weights);
+  fix_signs(modes.basis);
+  return ShapeModel(mean, std::move(modes.basis), std::move(modes.variance), std::move(triangles),
+                    std::move(weights));
+}
+
+ShapeModel reweighted(const ShapeModel& model, std::vector<double> weights) {
+  check_weights(weights, model.landmarks());
+  if (model.modes() == 0)
+    return ShapeModel(model.mean(), model.basis(), model.variance(), model.triangles(), std::move(weights));
+  Eigen::MatrixXd x = model.basis() * model.variance().cwiseSqrt().asDiagonal();
+  scale_rows(x, weights);
+  Modes modes = principal_modes(x, 1, x.cols(), {});
+  unscale_rows(modes.basis, weights);
+  fix_signs(modes.basis);
+  return ShapeModel(model.mean(), std::move(modes.basis), std::move(modes.variance), model.triangles(),
+                    std::move(weights));
 }
 
 }  // namespace foramen

@@ -200,8 +200,11 @@ ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunCont
   });
   timed(build, "model", [&] {
     ctx.step("model", 0);
-    build.procrustes = procrustes(corresponding_shapes(build), options.scale);
-    build.model = build_shape_model(build.procrustes.aligned, build.landmarks.triangles);
+    const auto shapes = corresponding_shapes(build);
+    const auto& triangles = build.landmarks.triangles;
+    std::vector<double> weights = landmark_weights(shapes, triangles, options.scale, options.weights);
+    build.procrustes = procrustes(shapes, options.scale, weights);
+    build.model = build_shape_model(build.procrustes.aligned, triangles, std::move(weights));
   });
   return build;
 }

@@ -29,8 +29,8 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
 }
 
 std::string summary(const Evaluation& e) {
-  std::string text =
-      std::to_string(e.names.size()) + " shapes, " + std::to_string(e.landmarks) + " landmarks\n";
+  std::string text = std::to_string(e.names.size()) + " shapes, " + std::to_string(e.landmarks) +
+                     " landmarks (weights: " + std::string(name(e.options.weights)) + ")\n";
   const Representation& r = e.representation;
   text += "representation error: mean " + fixed(r.mean_surface, 3) + ", p95 " + fixed(r.p95, 3) +
           ", Hausdorff " + fixed(r.hausdorff, 2) + " mm\nflipped triangles a shape: plain " +

@@ -49,6 +49,7 @@ ErrorSummary summary_from(const ordered_json& j) { return {j.at("mean"), j.at("p
 
 ordered_json options_json(const EvaluationOptions& o) {
   return {{"scale", o.scale == ScaleMode::keep ? "keep" : "remove"},
+          {"landmark_weights", name(o.weights)},
           {"draws", o.draws},
           {"surface_samples", o.samples},
           {"specificity_surface_samples", o.specificity_samples},
@@ -57,10 +58,20 @@ ordered_json options_json(const EvaluationOptions& o) {
 
 EvaluationOptions options_from(const ordered_json& j) {
   return {.scale = j.at("scale") == "keep" ? ScaleMode::keep : ScaleMode::remove,
+          .weights = j.at("landmark_weights") == name(LandmarkWeights::area) ? LandmarkWeights::area
+                                                                             : LandmarkWeights::equal,
           .draws = j.at("draws"),
           .samples = j.at("surface_samples"),
           .specificity_samples = j.at("specificity_surface_samples"),
           .seed = j.at("seed")};
+}
+
+const char* weights_definition(LandmarkWeights weights) {
+  return weights == LandmarkWeights::equal
+             ? "in alignment, PCA and landmark distances every landmark counts alike"
+             : "in alignment, PCA and landmark distances a landmark counts by the area around it (a third of "
+               "that of its "
+               "triangles) on the mean of the unweighted alignment, divided by the average of these areas";
 }
 
 ordered_json compactness_json(const Evaluation& e) {
@@ -305,6 +316,7 @@ std::string metrics_json(const Evaluation& e) {
       {"landmarks", e.landmarks},
       {"total_variance_mm2", e.total_variance},
       {"options", options_json(e.options)},
+      {"landmark_weights_definition", weights_definition(e.options.weights)},
       {"representation", representation_json(e)},
       {"compactness", compactness_json(e)},
       {"generalization", generalization_json(e.leave_one_out, "shape")},

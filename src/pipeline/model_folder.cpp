@@ -23,14 +23,43 @@ std::string mode_file(int mode, double sd) {
   return text;
 }
 
+/// Scores of aligned shapes, modes x shapes, in standard deviations.
+Eigen::MatrixXd scores_of(const ShapeModel& model, const std::vector<Eigen::VectorXd>& shapes) {
+  Eigen::MatrixXd scores(model.modes(), std::ssize(shapes));
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    scores.col(static_cast<Eigen::Index>(i)) =
+        model.scores(shapes[i], model.modes()).cwiseQuotient(model.variance().cwiseSqrt());
+  return scores;
+}
+
+/// The shapes of these scores, given in standard deviations.
+std::vector<Eigen::VectorXd> shapes_of(const ShapeModel& model, const Eigen::MatrixXd& scores) {
+  std::vector<Eigen::VectorXd> shapes;
+  shapes.reserve(static_cast<std::size_t>(scores.cols()));
+  for (Eigen::Index i = 0; i < scores.cols(); ++i)
+    shapes.push_back(model.reconstruct(scores.col(i).cwiseProduct(model.variance().cwiseSqrt())));
+  return shapes;
+}
+
+std::vector<Eigen::VectorXd> aligned_shapes(const ModelBuild& build) {
+  std::vector<Eigen::VectorXd> shapes;
+  shapes.reserve(build.procrustes.aligned.size());
+  for (const auto& landmarks : build.procrustes.aligned) shapes.push_back(flattened(landmarks));
+  return shapes;
+}
+
+/// The layout knows modes that are orthonormal without weights only: it gets the same distribution of shapes
+/// in such modes, and the weights beside.
 StatismoModel statismo_model(const ModelBuild& build, const std::string& command) {
+  const ShapeModel model = build.model.weights().empty() ? build.model : reweighted(build.model, {});
   StatismoModel file;
-  file.points = unflattened(build.model.mean());
-  file.triangles = build.model.triangles();
-  file.mean = build.model.mean();
-  file.basis = build.model.basis();
-  file.variance = build.model.variance();
-  file.scores = training_scores(build);
+  file.points = unflattened(model.mean());
+  file.triangles = model.triangles();
+  file.mean = model.mean();
+  file.basis = model.basis();
+  file.variance = model.variance();
+  file.landmark_weights = build.model.weights();
+  file.scores = scores_of(model, aligned_shapes(build));
   for (const ShapeOutcome& shape : build.shapes) file.shape_uris.push_back(shape.input.file_name);
   file.build_time = build_time();
   file.parameters = {{"command", command}};
@@ -67,23 +96,22 @@ LoadedModel load_model(const fs::path& path) {
   if (!fs::exists(file)) throw IoError(file.string() + ": there is no such model; `foramen build` makes one");
   StatismoModel read = read_statismo(file);
   LoadedModel loaded;
-  loaded.scores = std::move(read.scores);
   for (const std::string& uri : read.shape_uris) loaded.names.push_back(fs::path(uri).stem().string());
+  loaded.scores = std::move(read.scores);
   loaded.model = ShapeModel(std::move(read.mean), std::move(read.basis), std::move(read.variance),
                             std::move(read.triangles));
+  if (!read.landmark_weights.empty()) {
+    const std::vector<Eigen::VectorXd> shapes = shapes_of(loaded.model, loaded.scores);
+    loaded.model = reweighted(loaded.model, std::move(read.landmark_weights));
+    loaded.scores = scores_of(loaded.model, shapes);
+  }
   const fs::path mean = file.parent_path() / "mean.ply";
   if (fs::exists(mean)) loaded.space = read_mesh(mean).space.value_or(AnatomicalSpace::lps);
   return loaded;
 }
 
 Eigen::MatrixXd training_scores(const ModelBuild& build) {
-  const ShapeModel& model = build.model;
-  Eigen::MatrixXd scores(model.modes(), static_cast<int>(build.shapes.size()));
-  for (int i = 0; i < scores.cols(); ++i)
-    scores.col(i) =
-        model.scores(flattened(build.procrustes.aligned[static_cast<std::size_t>(i)]), model.modes())
-            .cwiseQuotient(model.variance().cwiseSqrt());
-  return scores;
+  return scores_of(build.model, aligned_shapes(build));
 }
 
 void write_modes(const fs::path& folder, const ShapeModel& model, double sd, AnatomicalSpace space) {

@@ -106,7 +106,9 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
     lines.push_back("specificity at " + std::to_string(s->modes) + " modes: Hausdorff " +
                     fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
   lines.push_back(drawn_shapes_line(evaluation.drawn));
-  lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) + " mm^2 a landmark");
+  lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) +
+                  " mm^2 a landmark (landmark weights: " + std::string(name(evaluation.options.weights)) +
+                  ")");
   if (evaluation.truth)
     lines.push_back("truth error: mean " + fixed(evaluation.truth->error.mean, 2) + " mm, p95 " +
                     fixed(evaluation.truth->error.p95, 2) + " mm, largest " +

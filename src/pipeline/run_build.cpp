@@ -96,6 +96,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const CorrespondingCohort cohort = corresponding_cohort(build, request.subject_pattern);
   EvaluationOptions evaluation_options = request.evaluation;
   evaluation_options.scale = request.build.scale;
+  evaluation_options.weights = request.build.weights;
   evaluation_options.seed = request.build.seed;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);

@@ -83,6 +83,7 @@ ordered_json options_json(const BuildOptions& options) {
       {"landmarks", options.landmarks},
       {"target_error_mm", options.target_error_mm ? ordered_json(*options.target_error_mm) : ordered_json()},
       {"scale", options.scale == ScaleMode::keep ? "keep" : "remove"},
+      {"landmark_weights", name(options.weights)},
       {"seed", options.seed},
       {"lambda", r.lambda},
       {"weighting", r.weighting == Weighting::area ? "area" : "each"},

@@ -24,11 +24,11 @@ class GridNeighbours {
     std::vector<double> out(values.size());
     for (int r = 0; r < rows_; ++r)
       for (int c = 0; c < columns_; ++c) {
-        const std::array<double, 5> ring{
-            values[static_cast<std::size_t>(index(r, c))], values[static_cast<std::size_t>(index(r + 1, c))],
-            values[static_cast<std::size_t>(index(r + rows_ - 1, c))],
-            values[static_cast<std::size_t>(index(r, c + 1))],
-            values[static_cast<std::size_t>(index(r, c + columns_ - 1))]};
+        const std::array<double, 5> ring{values[static_cast<std::size_t>(index(r, c))],
+                                         values[static_cast<std::size_t>(index(r + 1, c))],
+                                         values[static_cast<std::size_t>(index(r + rows_ - 1, c))],
+                                         values[static_cast<std::size_t>(index(r, c + 1))],
+                                         values[static_cast<std::size_t>(index(r, c + columns_ - 1))]};
         out[static_cast<std::size_t>(index(r, c))] = combine(ring);
       }
     return out;
@@ -71,7 +71,8 @@ VertexMap<double> raised_by_error(const VertexMap<double>& density, const TorusG
   for (const auto& errors : each)
     for (std::size_t k = 0; k < points; ++k) factor[k] = std::max(factor[k], errors[k]);
   for (int k = 0; k < options.spread_rings; ++k)
-    factor = neighbours.filtered(factor, [](const auto& ring) { return *std::max_element(ring.begin(), ring.end()); });
+    factor = neighbours.filtered(
+        factor, [](const auto& ring) { return *std::max_element(ring.begin(), ring.end()); });
   for (double& f : factor) f = std::pow(std::max(1.0, f / options.accepted_mm), options.exponent);
   for (int k = 0; k < smoothing_rounds; ++k)
     factor = neighbours.filtered(factor, [](const auto& ring) {

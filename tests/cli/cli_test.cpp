@@ -145,6 +145,37 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   EXPECT_TRUE(fs::exists(folder() / "compare" / "specificity.svg"));
 }
 
+TEST_F(Cli, AreaWeightsAreTakenAndRecorded) {
+  const fs::path model = folder() / "area", metrics = folder() / "area_metrics";
+  const std::string shapes = (synth() / "shapes").string();
+  const Outcome built =
+      run("build --landmarks 400 --samples 5 --weights AREA " + shapes + " -o " + model.string());
+  ASSERT_EQ(built.code, 0) << built.output;
+  EXPECT_THAT(built.output, HasSubstr("landmark weights: area"));
+  const auto record = nlohmann::json::parse(contents(model / "run.json"));
+  EXPECT_EQ(record.at("options").at("landmark_weights"), "area");
+  EXPECT_THAT(record.at("command").get<std::string>(), HasSubstr("--weights area"));
+  EXPECT_EQ(run("sample " + model.string() + " -n 2 -o " + (folder() / "area_samples").string()).code, 0);
+
+  const std::string evaluate = "evaluate --samples 5 --shapes " + shapes + " -o " + metrics.string() + " ";
+  const auto of = [](const fs::path& where) {
+    return nlohmann::json::parse(contents(where / "metrics.json"));
+  };
+  ASSERT_EQ(run(evaluate + "--weights area " + model.string()).code, 0);
+  EXPECT_NEAR(of(metrics).at("total_variance_mm2"), of(model).at("total_variance_mm2"), 1e-4)
+      << "meshes are files of single precision";
+  EXPECT_EQ(of(metrics).at("options").at("landmark_weights"), "area");
+  const Outcome equal = run(evaluate + model.string());
+  ASSERT_EQ(equal.code, 0);
+  EXPECT_THAT(equal.output, HasSubstr("weights: equal"));
+  EXPECT_EQ(of(metrics).at("options").at("landmark_weights"), "equal");
+  EXPECT_NE(of(metrics).at("total_variance_mm2"), of(model).at("total_variance_mm2"));
+  EXPECT_THAT(
+      run("compare " + model.string() + " " + metrics.string() + " -o " + (folder() / "c").string()).output,
+      HasSubstr("weights"));
+  EXPECT_EQ(run(evaluate + "--weights heavy " + model.string()).code, 2);
+}
+
 TEST_F(Cli, ABadShapeIsLeftOutAndNamedAndStrictRefuses) {
   const fs::path mixed = folder() / "mixed";
   fs::create_directories(mixed);

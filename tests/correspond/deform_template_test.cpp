@@ -58,7 +58,8 @@ TEST_F(DeformTemplate, MovesWithTheTwoSurfaces) {
   motion.rotate(Eigen::AngleAxisd(1.1, Vec3(2, -1, 1).normalized())).pretranslate(Vec3(30, 40, -90));
   const Mesh shape = displaced(surface, truth), moved = transformed(surface, motion);
   const auto here = deform_template(surface, functions, shape, ctx);
-  const auto there = deform_template(moved, smooth_displacements(moved.positions()), transformed(shape, motion), ctx);
+  const auto there =
+      deform_template(moved, smooth_displacements(moved.positions()), transformed(shape, motion), ctx);
   EXPECT_LT(rms(transformed(here, motion), there), 0.02);
 }
 

@@ -16,16 +16,16 @@ std::vector<Vec3> points() { return testing::torus_soup(24, 12).points; }
 double covariance(const SmoothDisplacementOptions& options, const Vec3& a, const Vec3& b) {
   double sum = 0;
   for (const DisplacementScale& s : options.scales)
-    sum += s.amplitude_mm * s.amplitude_mm *
-           std::exp(-(a - b).squaredNorm() / (2 * s.length_mm * s.length_mm));
+    sum +=
+        s.amplitude_mm * s.amplitude_mm * std::exp(-(a - b).squaredNorm() / (2 * s.length_mm * s.length_mm));
   return sum;
 }
 
 TEST(SmoothDisplacements, HaveTheCovarianceAskedFor) {
   const auto x = points();
   const SmoothDisplacementOptions options{.scales = {{15, 2}, {6, 1}}, .left_out_mm = 0.1};
-  const Eigen::MatrixXd phi = smooth_displacements(x, options).rightCols(
-      smooth_displacements(x, options).cols() - 4);
+  const Eigen::MatrixXd phi =
+      smooth_displacements(x, options).rightCols(smooth_displacements(x, options).cols() - 4);
   const Eigen::MatrixXd got = phi * phi.transpose();
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t j = 0; j < x.size(); ++j)

@@ -34,8 +34,8 @@ TEST_F(SurfaceTargetsTest, IsPeriodicAndItsSlopeIsThatOfDifferences) {
     EXPECT_NEAR(targets.term(v, x + torus.map.lattice * Vec2(2, -1)).value, at.value, 1e-9);
     for (int c = 0; c < 2; ++c) {
       const Vec2 d = step * Vec2::Unit(c);
-      EXPECT_NEAR(at.gradient[c],
-                  (targets.term(v, x + d).value - targets.term(v, x - d).value) / (2 * step), 1e-4);
+      EXPECT_NEAR(at.gradient[c], (targets.term(v, x + d).value - targets.term(v, x - d).value) / (2 * step),
+                  1e-4);
       const Vec2 turn = (targets.term(v, x + d).gradient - targets.term(v, x - d).gradient) / (2 * step);
       EXPECT_LT((at.hessian.col(c) - turn).norm(), 1e-3 * at.hessian.norm());
     }
@@ -46,7 +46,8 @@ TEST_F(SurfaceTargetsTest, WhatIsOutOfReachOrFacesAwayHasNoTarget) {
   std::vector<Vec3> far = places();
   for (Vec3& p : far) p += Vec3(500, 0, 0);
   EXPECT_EQ(SurfaceTargets(torus.mesh, surface, tensors, far).share_without(), 1);
-  EXPECT_EQ(SurfaceTargets(reversed(torus.mesh), surface, tensors, places(), {.reach_mm = 1}).share_without(), 1);
+  EXPECT_EQ(SurfaceTargets(reversed(torus.mesh), surface, tensors, places(), {.reach_mm = 1}).share_without(),
+            1);
   EXPECT_THROW(SurfaceTargets(torus.mesh, surface, tensors, places(), {.reach_mm = 0}), InvalidInput);
 }
 

@@ -52,6 +52,25 @@ TEST(Compactness, SumsVariancesPerLandmark) {
   EXPECT_DOUBLE_EQ(c[3].fraction, 1);
 }
 
+TEST(Compactness, OfWeightedLandmarksIsTheWeightedMeanVariance) {
+  const CorrespondingCohort cohort = torus_cohort({.shapes = 4});
+  const auto weights =
+      landmark_weights(cohort.corresponding, cohort.triangles, ScaleMode::keep, LandmarkWeights::area);
+  const auto aligned = procrustes(cohort.corresponding, ScaleMode::keep, weights);
+  double sum = 0, weight = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    for (const auto& shape : aligned.aligned)
+      sum += weights[i] * (shape[i] - aligned.mean[i]).squaredNorm() / 3;
+    weight += weights[i];
+  }
+  EvaluationOptions options = quick;
+  options.weights = LandmarkWeights::area;
+  const Evaluation e = evaluate_model(cohort, options, RunContext(2));
+  EXPECT_NEAR(e.total_variance, sum / weight, 1e-12);
+  EXPECT_NEAR(e.compactness.back().variance_per_landmark, sum / weight, 1e-12);
+  EXPECT_NE(e.total_variance, evaluate_model(cohort, quick, RunContext(2)).total_variance);
+}
+
 TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
   CorrespondingCohort cohort = torus_cohort({.shapes = 3});
   // One landmark of shape 1 is pulled across its neighbours.

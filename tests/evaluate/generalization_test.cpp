@@ -28,19 +28,20 @@ std::vector<double> flat(const Generalization& g) {
 
 /// The error of one shape by a model of others, step by step as it is defined.
 ShapeError by_definition(const CorrespondingCohort& cohort, std::size_t shape,
-                         const std::vector<std::size_t>& others, int modes, ScaleMode scale) {
+                         const std::vector<std::size_t>& others, int modes, ScaleMode scale,
+                         const std::vector<double>& weights = {}) {
   std::vector<std::vector<Vec3>> training;
   for (const std::size_t o : others) training.push_back(cohort.corresponding[o]);
-  const ProcrustesResult aligned = procrustes(training, scale);
-  const ShapeModel model = build_shape_model(aligned.aligned, cohort.triangles);
-  const SimilarityTransform motion = align_to_mean(cohort.corresponding[shape], aligned, scale);
+  const ProcrustesResult aligned = procrustes(training, scale, weights);
+  const ShapeModel model = build_shape_model(aligned.aligned, cohort.triangles, weights);
+  const SimilarityTransform motion = align_to_mean(cohort.corresponding[shape], aligned, scale, weights);
   std::vector<Vec3> moved;
   for (const Vec3& p : cohort.corresponding[shape]) moved.push_back(motion(p));
   const Eigen::VectorXd x = flattened(moved), fit = model.reconstruct(model.scores(x, modes));
   const SurfaceDistance d =
       surface_distance(TriangleTree(build_mesh({unflattened(fit), cohort.triangles})),
                        TriangleTree(transformed(cohort.inputs[shape], motion)), {.samples = 300, .seed = 2});
-  return {d.hausdorff, d.mean, std::sqrt((fit - x).squaredNorm() / model.landmarks())};
+  return {d.hausdorff, d.mean, model.landmark_rms(fit, x)};
 }
 
 void expect_same(const ShapeError& a, const ShapeError& b) {
@@ -65,6 +66,22 @@ TEST(Generalization, LeavesEachShapeOut) {
         expect_same(g.by_modes[static_cast<std::size_t>(m - 1)].items[i],
                     by_definition(cohort, i, others, m, scale));
     }
+  }
+}
+
+TEST(Generalization, TakesTheWholeCohortsWeightsWhicheverShapeIsLeftOut) {
+  const CorrespondingCohort cohort = torus_cohort({.shapes = 4});
+  for (const ScaleMode scale : {ScaleMode::keep, ScaleMode::remove}) {
+    const auto weights =
+        landmark_weights(cohort.corresponding, cohort.triangles, scale, LandmarkWeights::area);
+    GeneralizationOptions options = by_shape;
+    options.scale = scale;
+    options.weights = LandmarkWeights::area;
+    const Generalization g = generalization(cohort, options, RunContext(2));
+    const std::vector<std::size_t> without_first{1, 2, 3};
+    expect_same(g.by_modes[1].items[0], by_definition(cohort, 0, without_first, 2, scale, weights));
+    EXPECT_NE(g.by_modes[1].items[0].landmark_rms,
+              by_definition(cohort, 0, without_first, 2, scale).landmark_rms);
   }
 }
 

@@ -29,8 +29,7 @@ std::vector<double> flat(const Specificity& s) {
   return numbers;
 }
 
-TEST(Specificity, IsWhatComparingEveryDrawWithEveryShapeGives) {
-  const AlignedCohort aligned = cohort();
+void compare_with_all(const AlignedCohort& aligned) {
   const int last = 5;
   const Specificity found = specificity(aligned, last, few, RunContext(2));
   std::vector<TriangleTree> inputs;
@@ -47,8 +46,7 @@ TEST(Specificity, IsWhatComparingEveryDrawWithEveryShapeGives) {
       ShapeError expected{1e300, 1e300, 1e300};
       for (std::size_t i = 0; i < inputs.size(); ++i) {
         const SurfaceDistance d = surface_distance(tree, inputs[i], {.samples = 200, .seed = few.seed});
-        const double rms = std::sqrt((flattened(aligned.alignment.aligned[i]) - x).squaredNorm() /
-                                     aligned.model.landmarks());
+        const double rms = aligned.model.landmark_rms(flattened(aligned.alignment.aligned[i]), x);
         expected.hausdorff = std::min(expected.hausdorff, d.hausdorff);
         expected.mean_surface = std::min(expected.mean_surface, d.mean);
         expected.landmark_rms = std::min(expected.landmark_rms, rms);
@@ -61,6 +59,13 @@ TEST(Specificity, IsWhatComparingEveryDrawWithEveryShapeGives) {
     }
     for (std::size_t i = 0; i < inputs.size(); ++i) EXPECT_NEAR(found.nearest_draw[k][i], nearest[i], 1e-12);
   }
+}
+
+TEST(Specificity, IsWhatComparingEveryDrawWithEveryShapeGives) { compare_with_all(cohort()); }
+
+TEST(Specificity, TheSameWithWeightedLandmarks) {
+  compare_with_all(
+      align_cohort(testing::torus_cohort({.shapes = 6}), ScaleMode::keep, LandmarkWeights::area));
 }
 
 TEST(Specificity, EstimatesAreOverDraws) {

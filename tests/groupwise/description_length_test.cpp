@@ -47,7 +47,8 @@ TEST(DescriptionLength, OfTwoShapesInClosedForm) {
   EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 2}).value, 1 + std::log(18.0 / 2), 1e-12);
   EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 36}).value, 18.0 / 36, 1e-12);
   // Shrunk by 1 - cut / variance, or to the mean where the mode is under the cut.
-  EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 2}).attractors[1][0].x(), 3 * (1 - 2.0 / 18), 1e-12);
+  EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 2}).attractors[1][0].x(), 3 * (1 - 2.0 / 18),
+              1e-12);
   EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 36}).attractors[1][0].norm(), 0, 1e-12);
 }
 

@@ -25,7 +25,8 @@ TEST(DescriptionObjective, IsTheSquaredDistanceToTheAttractorAndItsSlopeThatOfDi
     const Vec2 turns(rng.uniform(), rng.uniform()), x = torus.map.lattice * turns;
     const auto at = objective.term(v, x);
     const SurfacePoint place = locator.locate(turns);
-    EXPECT_NEAR(at.value, (1.1 * position(torus.mesh, place) + Vec3(0.3, 0, 0) - torus.mesh.position(v)).squaredNorm(),
+    EXPECT_NEAR(at.value,
+                (1.1 * position(torus.mesh, place) + Vec3(0.3, 0, 0) - torus.mesh.position(v)).squaredNorm(),
                 1e-8);
     if (place.barycentric.minCoeff() < 1e-3) continue;  // a kink is near
     for (int c = 0; c < 2; ++c) {

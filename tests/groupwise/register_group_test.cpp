@@ -102,7 +102,8 @@ TEST_F(RegisterGroup, RecoversTheTrueCorrespondenceWithoutAFlip) {
   for (const GroupMember& member : group.members) {
     ASSERT_TRUE(member.registered) << member.failure;
     EXPECT_TRUE(member.registered->shape_map.certificate.valid());
-    EXPECT_TRUE(seifert_test(member.registered->homology, member.registered->seifert, reference.loops.seifert));
+    EXPECT_TRUE(
+        seifert_test(member.registered->homology, member.registered->seifert, reference.loops.seifert));
   }
   EXPECT_LT(mean_error(shapes, group), 0.3 * mean_error_of_closest_points(shapes));
 }
@@ -129,7 +130,8 @@ TEST_F(RegisterGroup, TheDescriptionLengthNeverGrows) {
   options.lambda = 1e-3;  // the distortion is not part of the length
   const GroupRegistration group = register_group(shapes, map_reference(shapes[0], ctx), 0, ctx, options);
   ASSERT_EQ(group.description_lengths.size(), 4u);
-  for (std::size_t k = 1; k < 4; ++k) EXPECT_LE(group.description_lengths[k], group.description_lengths[k - 1]);
+  for (std::size_t k = 1; k < 4; ++k)
+    EXPECT_LE(group.description_lengths[k], group.description_lengths[k - 1]);
 }
 
 TEST_F(RegisterGroup, ThreadsChangeNothing) {

@@ -64,7 +64,8 @@ TEST(TargetMetricOfOptimiseMap, IsRefusedWhereItDoesNotFit) {
   const auto torus = testing::wavy_torus(400);
   const RunContext ctx(1);
   TargetMetric metric{FaceMap<Mat2>(torus.mesh.face_count(), Mat2::Identity()), 1};
-  EXPECT_THROW(optimise_map(torus.mesh, torus.map, ctx, {.free_lattice = true}, nullptr, &metric), InvalidInput);
+  EXPECT_THROW(optimise_map(torus.mesh, torus.map, ctx, {.free_lattice = true}, nullptr, &metric),
+               InvalidInput);
   metric.to_target[FaceId(3)] = -Mat2::Identity() * Mat2(Vec2(1, -1).asDiagonal());
   EXPECT_THROW(optimise_map(torus.mesh, torus.map, ctx, {}, nullptr, &metric), InvalidInput);
   metric.to_target = FaceMap<Mat2>(3, Mat2::Identity());
@@ -78,7 +79,8 @@ TEST(MeanTemplate, OfMovedCopiesIsTheSurfaceItself) {
   const TorusLocator a(torus.mesh, torus.map), b(transformed(torus.mesh, motion), torus.map);
   const std::vector<const TorusLocator*> shapes{&a, &b};
   const RunContext ctx(1);
-  const MeanTemplate mean = mean_template(shapes, torus.map.lattice, ctx, {.vertices = 800, .grid_points = 5000});
+  const MeanTemplate mean =
+      mean_template(shapes, torus.map.lattice, ctx, {.vertices = 800, .grid_points = 5000});
   EXPECT_EQ(mean.surface.mesh.vertex_count(), 800);
   EXPECT_EQ(flipped_triangles(mean.surface), 0);
   // Each template vertex lies where both shapes have its torus position.

@@ -89,6 +89,24 @@ TEST(Statismo, ScoresAndNamesMayBeAbsent) {
   EXPECT_TRUE(read.shape_uris.empty() && read.parameters.empty());
 }
 
+// Landmark weights are ours alone: nothing else in the file changes with them, and without them there is
+// none.
+TEST(Statismo, LandmarkWeightsStandBeside) {
+  const TemporaryFolder folder;
+  StatismoModel model = example();
+  write_statismo(folder.file("plain.h5"), model);
+  EXPECT_FALSE(H5Reader(folder.file("plain.h5")).has("/foramen"));
+  EXPECT_TRUE(read_statismo(folder.file("plain.h5")).landmark_weights.empty());
+  Rng rng(4);
+  for (std::size_t i = 0; i < model.points.size(); ++i) model.landmark_weights.push_back(rng.uniform(0.1, 2));
+  write_statismo(folder.file("a.h5"), model);
+  StatismoModel read = read_statismo(folder.file("a.h5"));
+  EXPECT_EQ(read.landmark_weights, model.landmark_weights);
+  read.landmark_weights.clear();
+  write_statismo(folder.file("b.h5"), read);
+  EXPECT_EQ(bytes_of(folder.file("b.h5")), bytes_of(folder.file("plain.h5")));
+}
+
 // Coordinates stand by axis in the representer, by point in the mean; cells by corner.
 TEST(Statismo, OrderOfNumbers) {
   const TemporaryFolder folder;
@@ -174,6 +192,8 @@ TEST(Statismo, RefusesToWriteWhatDoesNotFit) {
       [](StatismoModel& m) { m.mean[4] = std::numeric_limits<double>::quiet_NaN(); },
       [](StatismoModel& m) { m.variance[0] = 1e39; },
       [](StatismoModel& m) { m.triangles[0][2] = 30; },
+      [](StatismoModel& m) { m.landmark_weights = {1}; },
+      [](StatismoModel& m) { m.landmark_weights.assign(m.points.size(), 0.0); },
       [](StatismoModel& m) { m.parameters.emplace_back("a/b", "c"); },
       [](StatismoModel& m) { m.parameters.emplace_back("seed", "2"); }};
   for (std::size_t i = 0; i < mistakes.size(); ++i) {
@@ -207,6 +227,7 @@ TEST(Statismo, EachMistakeInAFileHasItsMessage) {
       put("basis", [&] { file.matrix<float>("/model/pcaBasis", {9, 1, {1, 0, 0, 0, 0, 0, 0, 0, 0}}); });
       put("variance", [&] { file.vector<float>("/model/pcaVariance", std::vector<float>{2}); });
       put("noise", [&] { file.vector<float>("/model/noiseVariance", std::vector<float>{0}); });
+      put("weights", [] {});
       put("scores", [&] { file.matrix<float>("/modelinfo/scores", {1, 1, {0}}); });
     });
     try {
@@ -268,6 +289,16 @@ TEST(Statismo, EachMistakeInAFileHasItsMessage) {
       HasSubstr("/model/pcaVariance: has a value that is negative"));
   EXPECT_THAT(message("noise", [&](H5Writer& f) { f.scalar("/model/noiseVariance", nan); }),
               HasSubstr("/model/noiseVariance: is negative or not finite"));
+  EXPECT_THAT(message("weights",
+                      [](H5Writer& f) {
+                        f.vector<double>("/foramen/landmarkWeights", std::vector<double>{1, 1});
+                      }),
+              HasSubstr("/foramen/landmarkWeights: has 2 numbers instead of 3"));
+  EXPECT_THAT(message("weights",
+                      [](H5Writer& f) {
+                        f.vector<double>("/foramen/landmarkWeights", std::vector<double>{1, 0, 1});
+                      }),
+              HasSubstr("/foramen/landmarkWeights: has a value that is not positive"));
   EXPECT_THAT(message("scores",
                       [](H5Writer& f) {
                         f.matrix<float>("/modelinfo/scores", {2, 2, {1, 1, 1, 1}});

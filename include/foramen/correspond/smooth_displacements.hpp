@@ -20,18 +20,19 @@ struct DisplacementScale {
 struct SmoothDisplacementOptions {
   /// From what moves a whole vertebra's part to what moves the tip of a process.
   std::vector<DisplacementScale> scales = {{40, 4}, {20, 1.5}, {10, 0.5}};
-  double shift_mm = 10;   ///< Standard deviation of a common translation. > 0.
-  double linear_mm = 6;   ///< Of a linear map's displacement at the surface's RMS radius. > 0.
-  double left_out_mm = 0.3;  ///< The basis ends when no point's standard deviation left out is above this. > 0.
+  double shift_mm = 10;  ///< Standard deviation of a common translation. > 0.
+  double linear_mm = 6;  ///< Of a linear map's displacement at the surface's RMS radius. > 0.
+  double left_out_mm =
+      0.3;  ///< The basis ends when no point's standard deviation left out is above this. > 0.
   int most_functions = 400;
 };
 
 /// Functions phi_k over the points such that sum_k phi_k(x) phi_k(y) is the covariance of a coordinate of the
-/// displacement at x and y: u = phi a with independent standard normal a is a draw, and |a|^2 / 2 its negative
-/// log density. One row per point, one column per function. The process lives in space, so the two sides of a
-/// thin wall move together, and what slides along a featureless wall is decided by what lies around it.
-/// Pivoted Cholesky factorisation of the kernel matrix \cite harbrecht2012, as for the Gaussian process
-/// morphable models of \cite luethi2018. Throws InvalidInput for options out of range.
+/// displacement at x and y: u = phi a with independent standard normal a is a draw, and |a|^2 / 2 its
+/// negative log density. One row per point, one column per function. The process lives in space, so the two
+/// sides of a thin wall move together, and what slides along a featureless wall is decided by what lies
+/// around it. Pivoted Cholesky factorisation of the kernel matrix \cite harbrecht2012, as for the Gaussian
+/// process morphable models of \cite luethi2018. Throws InvalidInput for options out of range.
 Eigen::MatrixXd smooth_displacements(std::span<const Vec3> points,
                                      const SmoothDisplacementOptions& options = {});
 

@@ -10,7 +10,8 @@
 namespace foramen {
 
 struct SurfaceTargetsOptions {
-  double reach_mm = 4;  ///< Weights fall to zero at this distance from the bent template (Tukey's biweight). > 0.
+  double reach_mm =
+      4;  ///< Weights fall to zero at this distance from the bent template (Tukey's biweight). > 0.
   double min_normal_cosine = 0;  ///< Only points whose normal agrees this well. In [-1, 1).
 };
 
@@ -19,7 +20,8 @@ struct SurfaceTargetsOptions {
 /// compatible normal (barycentric, not a vertex). Quadratic, so value, gradient and Hessian are exact.
 class SurfaceTargets : public CorrespondenceObjective {
  public:
-  /// \param bent  where the template's vertices are once it is bent onto the shape, in the shape's coordinates
+  /// \param bent  where the template's vertices are once it is bent onto the shape, in the shape's
+  /// coordinates
   SurfaceTargets(const Mesh& shape, const TemplateSurface& surface, const VertexMap<Mat2>& tensors,
                  std::vector<Vec3> bent, const SurfaceTargetsOptions& options = {});
   Term term(VertexId v, const Vec2& plane_position) const override;

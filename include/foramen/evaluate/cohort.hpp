@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/model/landmark_weights.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/model/shape_model.hpp"
 
@@ -38,7 +39,8 @@ struct AlignedCohort {
   ShapeModel model;
 };
 /// Procrustes and PCA of all shapes. \pre check_cohort(cohort) passes
-AlignedCohort align_cohort(const CorrespondingCohort& cohort, ScaleMode scale);
+AlignedCohort align_cohort(const CorrespondingCohort& cohort, ScaleMode scale,
+                           LandmarkWeights weights = LandmarkWeights::equal);
 
 /// The surface moved by a similarity.
 Mesh transformed(const Mesh& mesh, const SimilarityTransform& transform);
@@ -59,7 +61,7 @@ Estimate estimate(const std::vector<double>& values);
 struct ShapeError {
   double hausdorff = 0;     ///< to the original input surface, as SurfaceDistance::hausdorff
   double mean_surface = 0;  ///< to the original input surface, as SurfaceDistance::mean
-  double landmark_rms = 0;  ///< root of the mean squared distance of corresponding landmarks
+  double landmark_rms = 0;  ///< ShapeModel::landmark_rms of corresponding landmarks
 };
 
 /// ShapeErrors of many shapes or samples at one number of modes.

@@ -18,6 +18,7 @@ namespace foramen {
 
 struct EvaluationOptions {
   ScaleMode scale = ScaleMode::keep;
+  LandmarkWeights weights = LandmarkWeights::equal;
   int draws = 1000;                ///< for specificity, and as many for drawn_shapes, > 0
   int samples = 20000;             ///< of each surface for its distances, > 0
   int specificity_samples = 2000;  ///< the same for specificity, > 0

@@ -18,6 +18,9 @@ enum class LeaveOut {
 struct GeneralizationOptions {
   LeaveOut leave_out = LeaveOut::shape;
   ScaleMode scale = ScaleMode::keep;
+  /// Those of the whole cohort, the same with whichever shape left out: they are part of how errors are
+  /// measured.
+  LandmarkWeights weights = LandmarkWeights::equal;
   int samples = 20000;     ///< of each surface for its distances, > 0
   std::uint64_t seed = 1;  ///< of those samples
 };

@@ -17,7 +17,7 @@ struct DescriptionLengthOptions {
 };
 
 struct DescriptionLength {
-  double value = 0;                     ///< dimensionless
+  double value = 0;                      ///< dimensionless
   std::vector<std::vector<Vec3>> slope;  ///< dF/dx of every point of every shape, 1 / mm
   /// For every shape the points that F draws it to: its own reconstruction with mode m shrunk by
   /// 1 - lambda_c / lambda_m, modes under the cut left out.

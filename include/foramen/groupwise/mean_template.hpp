@@ -13,8 +13,8 @@
 namespace foramen {
 
 struct TemplateOptions {
-  int vertices = 8000;       ///< of the template
-  int grid_points = 30000;   ///< of the torus grid on which shapes are averaged
+  int vertices = 8000;      ///< of the template
+  int grid_points = 30000;  ///< of the torus grid on which shapes are averaged
 };
 
 /// A surface by `vertices` points of it, spread by curvature (remesh()), with their map to the torus.
@@ -22,7 +22,7 @@ TemplateSurface remeshed_template(const Mesh& surface, const TorusMap& map, int 
                                   const RunContext& ctx);
 
 struct MeanTemplate {
-  TemplateSurface surface;  ///< in the coordinates of the Procrustes mean
+  TemplateSurface surface;                      ///< in the coordinates of the Procrustes mean
   std::vector<SimilarityTransform> transforms;  ///< per shape: its own coordinates -> the mean's (scale 1)
   std::vector<Vec3> grid;  ///< the mean at the points of the torus grid, always the same for one lattice
 };

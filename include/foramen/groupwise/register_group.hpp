@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Correspondence of a whole cohort: every shape's map to one torus, through a template that becomes the mean.
+/// Correspondence of a whole cohort: every shape's map to one torus, through a template that becomes the
+/// mean.
 
 #include <optional>
 #include <string>
@@ -18,7 +19,8 @@ namespace foramen {
 struct RegisterGroupOptions {
   InitialMap initial_map = InitialMap::torus;
   EdgeCost edge_cost = EdgeCost::length_weighted;
-  double lambda = 0.1;  ///< Weight of distortion [mm^2]: E_target + lambda E_deg, both area-weighted means. > 0.
+  double lambda =
+      0.1;  ///< Weight of distortion [mm^2]: E_target + lambda E_deg, both area-weighted means. > 0.
   int working_vertices = 10000;  ///< Of the meshes that carry the search.
   double relative_tolerance = 1e-4;
   int iteration_limit = 200;  ///< Of each optimisation.
@@ -27,9 +29,10 @@ struct RegisterGroupOptions {
   DeformTemplateOptions first = {};  ///< From the rigidly aligned template.
   DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};  ///< From the last round's.
   SurfaceTargetsOptions targets = {};
-  int metric_updates = 2;  ///< Optimisations of a map in a round, each with the metric where the last left it.
-  int round_limit = 4;     ///< Of rounds with the mean as template. >= 0.
-  double still_mm = 0.1;   ///< Rounds end when the mean moves by less than this (RMS) [mm].
+  int metric_updates =
+      2;                  ///< Optimisations of a map in a round, each with the metric where the last left it.
+  int round_limit = 4;    ///< Of rounds with the mean as template. >= 0.
+  double still_mm = 0.1;  ///< Rounds end when the mean moves by less than this (RMS) [mm].
   int description_rounds = 0;  ///< After those: rounds of all maps by description_length() instead. >= 0.
   DescriptionLengthOptions description = {};
 };
@@ -41,8 +44,8 @@ struct GroupMember {
 };
 
 struct GroupRegistration {
-  std::vector<GroupMember> members;        ///< one per shape
-  std::vector<double> template_motion_mm;  ///< RMS motion of the mean from round to round
+  std::vector<GroupMember> members;         ///< one per shape
+  std::vector<double> template_motion_mm;   ///< RMS motion of the mean from round to round
   std::vector<double> description_lengths;  ///< before each of the rounds by it, and after the last
 };
 

@@ -22,8 +22,11 @@ struct StatismoModel {
   Eigen::VectorXd mean;                       ///< 3P: x0 y0 z0 x1 ..., mm
   Eigen::MatrixXd basis;                      ///< 3P x K, orthonormal columns
   Eigen::VectorXd variance;                   ///< K, mm^2, of the covariance with divisor N - 1
-  double noise_variance = 0;                  ///< mm^2
-  Eigen::MatrixXd scores;  ///< K x N, in standard deviations, a column per shape; may be empty (0 x 0)
+  /// P, > 0, or empty: what each landmark counts for in modes other than these. The layout has no place for
+  /// it: /foramen/landmarkWeights, which other readers do not look at.
+  std::vector<double> landmark_weights;
+  double noise_variance = 0;  ///< mm^2
+  Eigen::MatrixXd scores;     ///< K x N, in standard deviations, a column per shape; may be empty (0 x 0)
   std::vector<std::string> shape_uris;  ///< N, or empty: file names of the training shapes
   std::string build_time = "1970-01-01T00:00:00Z";
   std::string builder_name = "foramen";
@@ -37,7 +40,7 @@ void write_statismo(const std::filesystem::path& path, const StatismoModel& mode
 
 /// Reads version 0.9 and 1.x of a triangle-mesh model. Throws IoError naming file, dataset and what is wrong
 /// with it: missing, of another shape, not finite, negative variances, a basis whose columns are not
-/// orthonormal (1e-3).
+/// orthonormal (1e-3), weights that are not positive.
 StatismoModel read_statismo(const std::filesystem::path& path);
 
 }  // namespace foramen

@@ -30,15 +30,16 @@ SimilarityTransform fit_similarity(std::span<const Vec3> moving, std::span<const
 struct ProcrustesResult {
   std::vector<SimilarityTransform> transforms;  ///< input coordinates -> model coordinates
   std::vector<std::vector<Vec3>> aligned;
-  std::vector<Vec3> mean;  ///< of the aligned shapes, centred at the origin
+  std::vector<Vec3> mean;  ///< of the aligned shapes, its (weighted) centroid at the origin
   int iterations = 0;
   bool converged = false;
 };
 /// Generalized Procrustes alignment \cite gower1975 by proper rotations, until the mean moves by less than
-/// 1e-10 of its size. The first shape fixes the orientation: its own rotation is the identity. With
-/// ScaleMode::remove every shape gets the same centroid size, the average of the input's. Deterministic;
-/// invariant under rigid motion of any shape but the first. Throws InvalidInput (no shapes, different numbers
-/// of landmarks, a shape without size, weights that are not >= 0).
+/// 1e-10 of its size; centroids, sizes and least squares count landmark i w_i times. The first shape fixes
+/// the orientation: its own rotation is the identity. With ScaleMode::remove every shape gets the same
+/// centroid size, the average of the input's. Deterministic; invariant under rigid motion of any shape but
+/// the first. Throws InvalidInput (no shapes, different numbers of landmarks, a shape without size, weights
+/// that are not >= 0).
 ProcrustesResult procrustes(const std::vector<std::vector<Vec3>>& shapes, ScaleMode scale,
                             std::span<const double> weights = {});
 

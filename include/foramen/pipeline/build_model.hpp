@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "foramen/groupwise/register_group.hpp"
+#include "foramen/model/landmark_weights.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "foramen/pipeline/read_cohort.hpp"
@@ -40,6 +41,7 @@ struct BuildOptions {
   ErrorDensityOptions errors = {};  ///< what raises the density of landmarks, as often as this:
   int density_updates = 3;
   ScaleMode scale = ScaleMode::keep;
+  LandmarkWeights weights = LandmarkWeights::equal;  ///< in the alignment and the model
   std::uint64_t seed = 1;
 };
 

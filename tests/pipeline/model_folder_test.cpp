@@ -1,0 +1,66 @@
+#include "foramen/pipeline/model_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "foramen/io/statismo_file.hpp"
+#include "pipeline/torus_family.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace foramen {
+namespace {
+
+constexpr double single_precision = 1e-5;  // relative, after a few operations on numbers of 24 bits
+
+Eigen::MatrixXd covariance(const Eigen::MatrixXd& basis, const Eigen::VectorXd& variance) {
+  return basis * variance.asDiagonal() * basis.transpose();
+}
+
+class ModelFolder : public ::testing::TestWithParam<LandmarkWeights> {
+ protected:
+  static ModelBuild build() {
+    BuildOptions options = testing::small();
+    options.landmarks = 300;
+    options.weights = GetParam();
+    return build_model(testing::family(), options, RunContext(2));
+  }
+};
+
+TEST_P(ModelFolder, TheModelReadBackIsTheModelBuilt) {
+  const testing::TemporaryFolder folder;
+  const ModelBuild made = build();
+  write_model_files(folder.path(), made, "foramen build", 1);
+  const LoadedModel loaded = load_model(folder.path());
+  EXPECT_EQ(loaded.model.weights(), made.model.weights());
+  EXPECT_EQ(loaded.model.weights().empty(), GetParam() == LandmarkWeights::equal);
+  ASSERT_EQ(loaded.model.modes(), made.model.modes());
+  EXPECT_TRUE(loaded.model.mean().isApprox(made.model.mean(), single_precision));
+  EXPECT_TRUE(loaded.model.variance().isApprox(made.model.variance(), single_precision));
+  EXPECT_TRUE(loaded.model.basis().isApprox(made.model.basis(), single_precision));
+  EXPECT_TRUE(loaded.scores.isApprox(training_scores(made), single_precision));
+}
+
+// Readers that know no weights take the file's own modes: orthonormal, of the same distribution of shapes,
+// with the scores of the same shapes.
+TEST_P(ModelFolder, TheFileIsRightForReadersThatKnowNoWeights) {
+  const testing::TemporaryFolder folder;
+  const ModelBuild made = build();
+  write_model_files(folder.path(), made, "foramen build", 1);
+  const StatismoModel file = read_statismo(folder.file("model.h5"));
+  const auto k = file.variance.size();
+  EXPECT_LT((file.basis.transpose() * file.basis - Eigen::MatrixXd::Identity(k, k)).norm(), single_precision);
+  EXPECT_TRUE(covariance(file.basis, file.variance)
+                  .isApprox(covariance(made.model.basis(), made.model.variance()), single_precision));
+  ASSERT_EQ(file.scores.cols(), std::ssize(made.shapes));
+  for (Eigen::Index i = 0; i < file.scores.cols(); ++i) {
+    const Eigen::VectorXd shape =
+        file.mean + file.basis * file.scores.col(i).cwiseProduct(file.variance.cwiseSqrt());
+    EXPECT_TRUE(
+        shape.isApprox(flattened(made.procrustes.aligned[static_cast<std::size_t>(i)]), single_precision));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Weights, ModelFolder,
+                         ::testing::Values(LandmarkWeights::equal, LandmarkWeights::area));
+
+}  // namespace
+}  // namespace foramen

@@ -1,0 +1,77 @@
+// Published figures name cohorts by their seed alone, so these cohorts must stay what they are.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <ostream>
+#include <string>
+
+#include "foramen/synth/synth_cohort.hpp"
+
+namespace foramen {
+namespace {
+
+// Coordinates count to this, so that the last bits of sin, cos and exp, which differ between machines, do
+// not.
+constexpr double resolution_mm = 1e-3;
+
+/// FNV-1a over 64-bit numbers, lowest byte first.
+class Checksum {
+ public:
+  void add(std::int64_t number) {
+    for (int shift = 0; shift < 64; shift += 8) {
+      state_ ^= (static_cast<std::uint64_t>(number) >> shift) & 0xff;
+      state_ *= 0x100000001b3;
+    }
+  }
+  void add(const TriangleSoup& soup) {
+    add(std::ssize(soup.points));
+    add(std::ssize(soup.triangles));
+    for (const auto& triangle : soup.triangles)
+      for (const int corner : triangle) add(corner);
+    for (const Vec3& p : soup.points)
+      for (const double coordinate : p) add(std::llround(coordinate / resolution_mm));
+  }
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325;
+};
+
+struct FrozenCohort {
+  std::uint64_t seed, surfaces, truth;
+};
+void PrintTo(const FrozenCohort& cohort, std::ostream* out) { *out << "seed " << cohort.seed; }
+
+class FrozenCohorts : public ::testing::TestWithParam<FrozenCohort> {};
+
+TEST_P(FrozenCohorts, AreWhatTheyWere) {
+  Checksum surfaces, truth;
+  for (const SynthShape& shape : synth_cohort({.seed = GetParam().seed}, RunContext())) {
+    surfaces.add(shape.surface);
+    truth.add(shape.truth);
+  }
+  EXPECT_EQ(surfaces.value(), GetParam().surfaces) << std::hex << "0x" << surfaces.value();
+  EXPECT_EQ(truth.value(), GetParam().truth) << std::hex << "0x" << truth.value();
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed, FrozenCohorts,
+                         ::testing::Values(FrozenCohort{101, 0x84e255ce50405362, 0xf2b8a8a51075fb0c},
+                                           FrozenCohort{102, 0x2117b726b41160aa, 0xbfaec63f365ee78e},
+                                           FrozenCohort{103, 0xac98c72d2a48aeb2, 0xde1bce4a27edcdc3},
+                                           FrozenCohort{104, 0x86cdf75464f342cd, 0xcee45e4442fdc518},
+                                           FrozenCohort{105, 0xda238405e549c8a2, 0x9ec1d3377c3829b7}),
+                         [](const auto& test) { return std::to_string(test.param.seed); });
+
+TEST(SynthOptions, DefaultsAreFrozen) {
+  const SynthOptions defaults;
+  EXPECT_EQ(defaults.shapes, 14);
+  EXPECT_EQ(defaults.modes, 4);
+  EXPECT_EQ(defaults.amplitude_mm, 2.1);
+  EXPECT_EQ(defaults.correlation_mm, 40.0);
+  EXPECT_EQ(defaults.vertices, 10000);
+}
+
+}  // namespace
+}  // namespace foramen
