@@ -83,8 +83,9 @@ ModelComparison compare_models(const std::vector<fs::path>& models) {
   ModelComparison comparison;
   for (const ReportTable& table : tables) comparison.text += table_text(table);
   comparison.json = as_json(named, tables).dump(2);
-  ReportPage page{
-      "Comparison of models", "", {{"Curves", {}, {}, charts, {}}, {"Figures", {}, tables, {}, {}}}};
+  ReportPage page{"Comparison of models",
+                  "",
+                  {{.title = "Curves", .charts = charts}, {.title = "Figures", .tables = tables}}};
   for (const NamedEvaluation& model : named)
     page.subtitle += (page.subtitle.empty() ? "" : ", ") + model.name;
   comparison.html = report_html(page);

@@ -32,13 +32,13 @@ std::string text_of(const ordered_json& value) {
 }
 
 ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) {
-  ReportTable table{
-      "Shapes",
-      "Distances of the corresponding mesh to the input surface, mm. Flipped triangles: of the map (exact), "
-      "and of the "
-      "sampled mesh, plain and confirmed. Distortion: area-weighted mean, 4 at best.",
-      {"shape", "status", "mean", "p95", "Hausdorff", "flips in map", "plain", "confirmed", "distortion"},
-      {}};
+  ReportTable table{"Representation and flips",
+                    "Distances of the corresponding mesh to the input surface. Flipped triangles: of the map "
+                    "(exact), and of "
+                    "the sampled mesh, plain and confirmed. Distortion: area-weighted mean, 4 at best.",
+                    {"shape", "status", "mean, mm", "p95, mm", "Hausdorff, mm", "flips in map", "plain flips",
+                     "confirmed flips", "distortion"},
+                    {}};
   std::size_t i = 0;
   for (const ordered_json& shape : run.at("shapes")) {
     if (!is_used(shape)) continue;
@@ -101,7 +101,7 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
   if (const auto* s = at_quoted(evaluation.specificity.by_modes))
     lines.push_back("specificity at " + std::to_string(s->modes) + " modes: Hausdorff " +
                     fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
-  lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) + " mm^2 a landmark");
+  lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) + " mm² a landmark");
   if (evaluation.truth)
     lines.push_back("truth error: mean " + fixed(evaluation.truth->error.mean, 2) + " mm, p95 " +
                     fixed(evaluation.truth->error.p95, 2) + " mm, largest " +
@@ -116,15 +116,14 @@ ReportSection provenance(const ordered_json& run) {
   ReportTable inputs{"Inputs", "", {"file", "sha256"}, {}};
   for (const ordered_json& input : run.at("inputs"))
     inputs.rows.push_back({input.at("file").get<std::string>(), input.at("sha256").get<std::string>()});
-  return {"How it was made",
-          {"foramen " + run.at("version").get<std::string>() + ": " + run.at("command").get<std::string>(),
-           "Method: M. Becker, M. Kirschner, S. Fuhrmann, S. Wesarg: Automatic Construction of Statistical "
-           "Shape Models "
-           "for Vertebrae, MICCAI 2011. Measures: R. Davies, C. Twining, C. Taylor: Statistical Models of "
-           "Shape, Springer 2008."},
-          {options, inputs},
-          {},
-          {}};
+  return {
+      .title = "How it was made",
+      .paragraphs = {"foramen " + run.at("version").get<std::string>() + ": " +
+                         run.at("command").get<std::string>(),
+                     "Method: M. Becker, M. Kirschner, S. Fuhrmann, S. Wesarg: Automatic Construction of "
+                     "Statistical Shape Models for Vertebrae, MICCAI 2011. Measures: R. Davies, C. Twining, "
+                     "C. Taylor: Statistical Models of Shape, Springer 2008."},
+      .tables = {options, inputs}};
 }
 
 }  // namespace
@@ -133,21 +132,21 @@ std::string model_page(const ordered_json& run, const Evaluation& evaluation, co
                        const ShapeModel& model) {
   const std::vector<NamedEvaluation> curves{{text_of(run.at("options").at("method")), &evaluation}};
   ReportPage page{"Statistical shape model", std::to_string(evaluation.names.size()) + " vertebrae", {}};
-  ReportSection summary{"Summary", summary_lines(run, evaluation), {shapes_table(run, evaluation)}, {}, {}};
+  ReportSection summary{.title = "Summary", .findings = summary_lines(run, evaluation)};
   if (ReportTable table = left_out_table(run); !table.rows.empty())
     summary.tables.push_back(std::move(table));
   page.sections.push_back(std::move(summary));
   if (auto pictures = model_pictures(atlas, model); !pictures.empty())
-    page.sections.push_back({"Pictures", {}, {}, {}, std::move(pictures)});
-  page.sections.push_back({"Evaluation",
-                           {"Distances are measured to the original input surfaces. Bars are standard errors "
-                            "of the mean. Specificity alone "
-                            "rewards a model that lost variance: read it beside the total variance and the "
-                            "representation error."},
-                           {},
-                           model_charts(curves),
-                           {}});
-  page.sections.push_back({"Figures", {}, model_tables(curves), {}, {}});
+    page.sections.push_back({.title = "Pictures", .pictures = std::move(pictures)});
+  page.sections.push_back(
+      {.title = "Evaluation",
+       .paragraphs =
+           {"Distances are measured to the original input surfaces. Bars are standard errors of the "
+            "mean. Specificity alone rewards a model that lost variance: read it beside the total "
+            "variance and the representation error."},
+       .charts = model_charts(curves)});
+  page.sections.push_back({.title = "Shapes", .tables = {shapes_table(run, evaluation)}});
+  page.sections.push_back({.title = "Figures", .tables = model_tables(curves)});
   page.sections.push_back(provenance(run));
   return report_html(page);
 }

@@ -120,8 +120,7 @@ Camera close_up(const TriangleSoup& surface, const std::vector<int>& marked, con
   for (int i = 0; i < options.directions; ++i) {
     const Vec3 direction = direction_of(i, options.directions);
     const Mat3 axes = picture_axes(direction, up_for(direction));
-    const auto window =
-        depth_image(surface, is_marked, axes, options.pixel_mm).best_window(options.size_mm);
+    const auto window = depth_image(surface, is_marked, axes, options.pixel_mm).best_window(options.size_mm);
     if (window.marked <= most) continue;
     most = window.marked;
     camera = {axes * window.centre, axes.col(2), axes.col(1), options.size_mm, options.size_mm};

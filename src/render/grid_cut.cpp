@@ -41,9 +41,8 @@ std::pair<Polygon, Polygon> split(const Polygon& polygon, int axis, double at) {
 // The polygon's strips between neighbouring lines of one direction, each with the number of its strip.
 std::vector<std::pair<int, Polygon>> strips(Polygon polygon, int axis) {
   const auto [least, greatest] =
-      std::minmax_element(polygon.begin(), polygon.end(), [&](const GridCorner& a, const GridCorner& b) {
-        return a.at[axis] < b.at[axis];
-      });
+      std::minmax_element(polygon.begin(), polygon.end(),
+                          [&](const GridCorner& a, const GridCorner& b) { return a.at[axis] < b.at[axis]; });
   const int first = static_cast<int>(std::floor(least->at[axis]));
   const double end = greatest->at[axis];
   std::vector<std::pair<int, Polygon>> out;

@@ -18,8 +18,8 @@
 namespace foramen {
 namespace {
 
-// The torus of revolution in OKLab: mean and swing of lightness and chroma. Two per cent of it lie outside sRGB and
-// are clipped by little.
+// The torus of revolution in OKLab: mean and swing of lightness and chroma. Two per cent of it lie outside
+// sRGB and are clipped by little.
 constexpr double lightness = 0.68, lightness_swing = 0.12, chroma = 0.095, chroma_swing = 0.02;
 // How far the lighter cells of the checkerboard go towards white.
 constexpr double lighter = 0.4;
@@ -138,13 +138,14 @@ Vec2i checker_cells(const Lattice& lattice, int count) {
 SceneSurface checkered_surface(const Mesh& mesh, const TorusMap& map, const Vec2i& cells) {
   const VertexMap<Vec3> normals = vertex_normals(mesh);
   const UnfoldedMap unfolded = unfold(mesh, map, EdgeMap<bool>(mesh.edge_count(), false));
-  return checkered(mesh, map, unfolded, cells, [&](SceneSurface& surface, FaceId f, const GridCorner& corner) {
-    const auto c = mesh.corners(f);
-    const Vec3& w = corner.barycentric;
-    surface.soup.points.push_back(position(mesh, SurfacePoint{f, w}));
-    surface.vertex_normals.push_back(w[0] * normals[c[0]] + w[1] * normals[c[1]] + w[2] * normals[c[2]]);
-    surface.vertex_normals.back().normalize();
-  });
+  return checkered(
+      mesh, map, unfolded, cells, [&](SceneSurface& surface, FaceId f, const GridCorner& corner) {
+        const auto c = mesh.corners(f);
+        const Vec3& w = corner.barycentric;
+        surface.soup.points.push_back(position(mesh, SurfacePoint{f, w}));
+        surface.vertex_normals.push_back(w[0] * normals[c[0]] + w[1] * normals[c[1]] + w[2] * normals[c[2]]);
+        surface.vertex_normals.back().normalize();
+      });
 }
 
 Scene torus_map_scene(const Mesh& mesh, const TorusMap& map, const Vec2i& cells,

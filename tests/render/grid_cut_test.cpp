@@ -18,7 +18,8 @@ double area(const Triangle& t) { return cross(t[1] - t[0], t[2] - t[0]) / 2; }
 double area(const GridPiece& piece) {
   double doubled = 0;
   for (std::size_t i = 2; i < piece.corners.size(); ++i)
-    doubled += cross(piece.corners[i - 1].at - piece.corners[0].at, piece.corners[i].at - piece.corners[0].at);
+    doubled +=
+        cross(piece.corners[i - 1].at - piece.corners[0].at, piece.corners[i].at - piece.corners[0].at);
   return doubled / 2;
 }
 

@@ -23,7 +23,8 @@ TEST(RenderPng, WithoutADisplayItSaysSo) {
     render_png({{torus_scene()}}, 64);
     FAIL() << "a picture without a display";
   } catch (const Error& e) {
-    EXPECT_THAT(e.what(), ::testing::AnyOf(::testing::HasSubstr("xvfb-run"), ::testing::HasSubstr("libvtk9-dev")));
+    EXPECT_THAT(e.what(),
+                ::testing::AnyOf(::testing::HasSubstr("xvfb-run"), ::testing::HasSubstr("libvtk9-dev")));
   }
 }
 
