@@ -8,6 +8,7 @@
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_pictures.hpp"
+#include "foramen/render/render_scene.hpp"
 #include "pipeline/model_report.hpp"
 
 namespace foramen {
@@ -110,6 +111,14 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
   return lines;
 }
 
+ReportSection pictures_section(const Atlas& atlas, const ShapeModel& model) {
+  if (can_render()) return {.title = "Pictures", .pictures = model_pictures(atlas, model)};
+  return {
+      .title = "Pictures",
+      .paragraphs = {"None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
+                     "build time, `xvfb-run -a foramen report MODEL` writes this page with pictures."}};
+}
+
 ReportSection provenance(const ordered_json& run) {
   ReportTable options{"Options", "", {"option", "value"}, {}};
   for (const auto& [key, value] : run.at("options").items()) options.rows.push_back({key, text_of(value)});
@@ -136,8 +145,7 @@ std::string model_page(const ordered_json& run, const Evaluation& evaluation, co
   if (ReportTable table = left_out_table(run); !table.rows.empty())
     summary.tables.push_back(std::move(table));
   page.sections.push_back(std::move(summary));
-  if (auto pictures = model_pictures(atlas, model); !pictures.empty())
-    page.sections.push_back({.title = "Pictures", .pictures = std::move(pictures)});
+  page.sections.push_back(pictures_section(atlas, model));
   page.sections.push_back(
       {.title = "Evaluation",
        .paragraphs =

@@ -134,8 +134,9 @@ std::string legend(const Chart& chart) {
   std::string out;
   const double column_width = (width - left - right) / legend_columns;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const std::size_t row = i / legend_columns;
     const double x = left + column_width * static_cast<double>(i % legend_columns);
-    const double y = title_height + 6 + legend_line * static_cast<double>(i / legend_columns);
+    const double y = title_height + 6 + legend_line * static_cast<double>(row);
     out += "<g class=\"series-" + std::to_string(i) + "\">" +
            line(x, y - 4, x + 20, y - 4,
                 "stroke-width=\"3\" stroke=\"" + std::string(colours[i % colours.size()]) + "\"") +
