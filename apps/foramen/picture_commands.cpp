@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <filesystem>
-#include <iostream>
 
 #include "command.hpp"
 #include "foramen/core/error.hpp"
@@ -26,6 +26,7 @@ struct PictureCommand {
 ReportPicture baseline_flips(const PictureCommand& command) {
   const CorrespondingFolder ours = read_corresponding(fs::path(command.model) / "corresponding");
   const CorrespondingFolder theirs = read_corresponding(fs::path(command.baseline) / "corresponding");
+  std::string shape;
   FlippedMesh worst, beside;
   for (const fs::path& file : find_meshes({command.shapes})) {
     const auto find = [&](const CorrespondingFolder& folder) {
@@ -34,21 +35,21 @@ ReportPicture baseline_flips(const PictureCommand& command) {
     const auto i = static_cast<std::size_t>(find(ours)), k = static_cast<std::size_t>(find(theirs));
     if (i == ours.names.size() || k == theirs.names.size()) continue;
     const TriangleTree input(read_shape(file, LengthUnit::millimetre).mesh);
-    const auto flipped = [&](const CorrespondingFolder& folder, std::size_t shape) {
-      std::vector<int> faces;
-      for (FaceId f : sampled_flips(build_mesh({folder.shapes[shape], folder.triangles}), input).plain)
-        faces.push_back(f.index);
-      return faces;
+    const auto with_flips = [&](const CorrespondingFolder& folder, std::size_t index) {
+      FlippedMesh mesh{{folder.shapes[index], folder.triangles}, {}};
+      for (FaceId f : sampled_flips(build_mesh(mesh.soup), input).plain) mesh.flipped.push_back(f.index);
+      return mesh;
     };
-    auto bad = flipped(theirs, k);
-    if (worst.name.empty() || bad.size() > worst.flipped.size()) {
-      worst = {file.stem().string() + ", baseline:", {theirs.shapes[k], theirs.triangles}, std::move(bad)};
-      beside = {"this model:", {ours.shapes[i], ours.triangles}, flipped(ours, i)};
+    FlippedMesh bad = with_flips(theirs, k);
+    if (shape.empty() || bad.flipped.size() > worst.flipped.size()) {
+      shape = file.stem().string();
+      worst = std::move(bad);
+      beside = with_flips(ours, i);
     }
   }
-  if (worst.name.empty())
+  if (shape.empty())
     throw InvalidInput(command.shapes + ": none of these surfaces is a shape of both models");
-  return flips_picture({worst, beside});
+  return flips_picture(shape, worst, beside);
 }
 
 int render(const PictureCommand& command) {

@@ -41,6 +41,12 @@ void require_count(const H5Reader& file, const std::string& path, std::size_t fo
   if (found != expected) file.refuse(path, std::to_string(found) + " rows, not " + std::to_string(expected));
 }
 
+void require_walk(const H5Reader& file, const Mesh& surface, const std::vector<VertexId>& loop) {
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    if (!surface.find_halfedge(loop[i], loop[(i + 1) % loop.size()]).valid())
+      file.refuse("/loops", "step " + std::to_string(i) + " is no edge of the template");
+}
+
 }  // namespace
 
 Atlas atlas_of(const ModelBuild& build) {
@@ -84,6 +90,7 @@ Atlas read_atlas(const std::filesystem::path& path) {
   Atlas atlas;
   atlas.surface = build_mesh(
       {items_of<Vec3, double>(file, "/template/points", 3), triangles_of(file, "/template/triangles")});
+  if (!atlas.surface.is_closed()) file.refuse("/template/triangles", "not a closed surface");
   atlas.map.turns = VertexMap<Vec2>(items_of<Vec2, double>(file, "/template/turns", 2));
   require_count(file, "/template/turns", static_cast<std::size_t>(atlas.map.turns.size()),
                 static_cast<std::size_t>(atlas.surface.vertex_count()));
@@ -98,6 +105,7 @@ Atlas read_atlas(const std::filesystem::path& path) {
       if (v < 0 || v >= atlas.surface.vertex_count()) file.refuse("/loops", "vertex " + std::to_string(v));
       atlas.loops[k].emplace_back(v);
     }
+  for (const auto& loop : atlas.loops) require_walk(file, atlas.surface, loop);
   atlas.landmarks.turns = items_of<Vec2, double>(file, "/landmarks/turns", 2);
   atlas.landmarks.triangles = triangles_of(file, "/landmarks/triangles");
   atlas.landmarks.jumps = HalfedgeMap<Vec2i>(items_of<Vec2i, std::int32_t>(file, "/landmarks/jumps", 2));

@@ -137,7 +137,7 @@ ModelComparison compare_models(const std::vector<fs::path>& models) {
   ModelComparison comparison;
   for (const ReportTable& table : tables) comparison.text += table_text(table);
   ordered_json json = as_json(named, tables);
-  ReportSection differences{"Differences", {}, {}, {}, {}};
+  ReportSection differences{.title = "Differences"};
   for (std::size_t i = 1; i < named.size(); ++i) {
     const ModelDifference difference = model_difference(named.front(), named[i]);
     if (!difference.why_not_paired.empty()) {
@@ -154,7 +154,9 @@ ModelComparison compare_models(const std::vector<fs::path>& models) {
   comparison.json = json.dump(2);
   ReportPage page{"Comparison of models",
                   "",
-                  {{"Curves", {}, {}, charts, {}}, std::move(differences), {"Figures", {}, tables, {}, {}}}};
+                  {{.title = "Curves", .charts = charts},
+                   std::move(differences),
+                   {.title = "Figures", .tables = tables}}};
   for (const NamedEvaluation& model : named)
     page.subtitle += (page.subtitle.empty() ? "" : ", ") + model.name;
   comparison.html = report_html(page);

@@ -8,6 +8,7 @@
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_pictures.hpp"
+#include "foramen/render/render_scene.hpp"
 #include "pipeline/model_report.hpp"
 
 namespace foramen {
@@ -23,13 +24,12 @@ std::string text_of(const ordered_json& value) {
 
 ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) {
   ReportTable table{
-      "Shapes",
-      "Distances of the corresponding mesh to the input surface, mm. Flipped triangles: of the map (exact), "
-      "and of the sampled mesh, plain and confirmed. Self-intersecting pairs of triangles: of the sampled "
-      "mesh, "
-      "and of the input. Distortion: area-weighted mean, 4 at best.",
-      {"shape", "status", "mean", "p95", "Hausdorff", "flips in map", "plain", "confirmed", "self-int.",
-       "of input", "distortion"},
+      "Representation and flips",
+      "Distances of the corresponding mesh to the input surface. Flipped triangles: of the map "
+      "(exact), and of the sampled mesh, plain and confirmed. Self-intersecting pairs of triangles: "
+      "of the sampled mesh, and of the input. Distortion: area-weighted mean, 4 at best.",
+      {"shape", "status", "mean, mm", "p95, mm", "Hausdorff, mm", "flips in map", "plain flips",
+       "confirmed flips", "self-int.", "of input", "distortion"},
       {}};
   std::size_t i = 0;
   for (const ordered_json& shape : run.at("shapes")) {
@@ -107,7 +107,7 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
                     fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
   lines.push_back(drawn_shapes_line(evaluation.drawn));
   lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) +
-                  " mm^2 a landmark (landmark weights: " + std::string(name(evaluation.options.weights)) +
+                  " mm² a landmark (landmark weights: " + std::string(name(evaluation.options.weights)) +
                   ")");
   if (evaluation.truth)
     lines.push_back("truth error: mean " + fixed(evaluation.truth->error.mean, 2) + " mm, p95 " +
@@ -117,21 +117,28 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
   return lines;
 }
 
+ReportSection pictures_section(const Atlas& atlas, const ShapeModel& model) {
+  if (can_render()) return {.title = "Pictures", .pictures = model_pictures(atlas, model)};
+  return {
+      .title = "Pictures",
+      .paragraphs = {"None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
+                     "build time, `xvfb-run -a foramen report MODEL` writes this page with pictures."}};
+}
+
 ReportSection provenance(const ordered_json& run) {
   ReportTable options{"Options", "", {"option", "value"}, {}};
   for (const auto& [key, value] : run.at("options").items()) options.rows.push_back({key, text_of(value)});
   ReportTable inputs{"Inputs", "", {"file", "sha256"}, {}};
   for (const ordered_json& input : run.at("inputs"))
     inputs.rows.push_back({input.at("file").get<std::string>(), input.at("sha256").get<std::string>()});
-  return {"How it was made",
-          {"foramen " + run.at("version").get<std::string>() + ": " + run.at("command").get<std::string>(),
-           "Method: M. Becker, M. Kirschner, S. Fuhrmann, S. Wesarg: Automatic Construction of Statistical "
-           "Shape Models "
-           "for Vertebrae, MICCAI 2011. Measures: R. Davies, C. Twining, C. Taylor: Statistical Models of "
-           "Shape, Springer 2008."},
-          {options, inputs},
-          {},
-          {}};
+  return {
+      .title = "How it was made",
+      .paragraphs = {"foramen " + run.at("version").get<std::string>() + ": " +
+                         run.at("command").get<std::string>(),
+                     "Method: M. Becker, M. Kirschner, S. Fuhrmann, S. Wesarg: Automatic Construction of "
+                     "Statistical Shape Models for Vertebrae, MICCAI 2011. Measures: R. Davies, C. Twining, "
+                     "C. Taylor: Statistical Models of Shape, Springer 2008."},
+      .tables = {options, inputs}};
 }
 
 }  // namespace
@@ -140,21 +147,20 @@ std::string model_page(const ordered_json& run, const Evaluation& evaluation, co
                        const ShapeModel& model) {
   const std::vector<NamedEvaluation> curves{{text_of(run.at("options").at("method")), &evaluation}};
   ReportPage page{"Statistical shape model", std::to_string(evaluation.names.size()) + " vertebrae", {}};
-  ReportSection summary{"Summary", summary_lines(run, evaluation), {shapes_table(run, evaluation)}, {}, {}};
+  ReportSection summary{.title = "Summary", .findings = summary_lines(run, evaluation)};
   if (ReportTable table = left_out_table(run); !table.rows.empty())
     summary.tables.push_back(std::move(table));
   page.sections.push_back(std::move(summary));
-  if (auto pictures = model_pictures(atlas, model); !pictures.empty())
-    page.sections.push_back({"Pictures", {}, {}, {}, std::move(pictures)});
-  page.sections.push_back({"Evaluation",
-                           {"Distances are measured to the original input surfaces. Bars are standard errors "
-                            "of the mean. Specificity alone "
-                            "rewards a model that lost variance: read it beside the total variance and the "
-                            "representation error."},
-                           {},
-                           model_charts(curves),
-                           {}});
-  page.sections.push_back({"Figures", {}, model_tables(curves), {}, {}});
+  page.sections.push_back(pictures_section(atlas, model));
+  page.sections.push_back(
+      {.title = "Evaluation",
+       .paragraphs =
+           {"Distances are measured to the original input surfaces. Bars are standard errors of the "
+            "mean. Specificity alone rewards a model that lost variance: read it beside the total "
+            "variance and the representation error."},
+       .charts = model_charts(curves)});
+  page.sections.push_back({.title = "Shapes", .tables = {shapes_table(run, evaluation)}});
+  page.sections.push_back({.title = "Figures", .tables = model_tables(curves)});
   page.sections.push_back(provenance(run));
   return report_html(page);
 }

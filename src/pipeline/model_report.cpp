@@ -13,6 +13,7 @@ struct CurvePoint {
 };
 struct Measure {
   std::string title, y_label;
+  bool is_mean = true;  // of distances in mm, with a standard error
   std::function<std::vector<CurvePoint>(const Evaluation&)> points;
 };
 
@@ -24,21 +25,21 @@ std::vector<CurvePoint> of_errors(const std::vector<ErrorsAtModes>& errors, Esti
 
 const std::vector<Measure>& measures() {
   static const std::vector<Measure> all{
-      {"Generalization, Hausdorff (leave one out)", "mm",
+      {"Generalization, Hausdorff (leave one out)", "Hausdorff distance, mm", true,
        [](const Evaluation& e) { return of_errors(e.leave_one_out.by_modes, &ErrorsAtModes::hausdorff); }},
-      {"Specificity, Hausdorff", "mm",
+      {"Specificity, Hausdorff", "Hausdorff distance, mm", true,
        [](const Evaluation& e) { return of_errors(e.specificity.by_modes, &ErrorsAtModes::hausdorff); }},
-      {"Generalization, mean surface (leave one out)", "mm",
+      {"Generalization, mean surface (leave one out)", "mean surface distance, mm", true,
        [](const Evaluation& e) { return of_errors(e.leave_one_out.by_modes, &ErrorsAtModes::mean_surface); }},
-      {"Specificity, mean surface", "mm",
+      {"Specificity, mean surface", "mean surface distance, mm", true,
        [](const Evaluation& e) { return of_errors(e.specificity.by_modes, &ErrorsAtModes::mean_surface); }},
-      {"Generalization, ensemble form (in-sample)", "mm",
+      {"Generalization, ensemble form (in-sample)", "Hausdorff distance, mm", true,
        [](const Evaluation& e) {
          std::vector<CurvePoint> out;
          for (const EnsembleAtModes& m : e.ensemble) out.push_back({m.modes, m.generalization});
          return out;
        }},
-      {"Compactness (share of the variance)", "",
+      {"Compactness (share of the variance)", "share of the total variance", false,
        [](const Evaluation& e) {
          std::vector<CurvePoint> out;
          for (const CompactnessAtModes& m : e.compactness) out.push_back({m.modes, {m.fraction, 0}});
@@ -99,8 +100,7 @@ std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations)
 std::vector<ReportTable> model_tables(const std::vector<NamedEvaluation>& evaluations) {
   std::vector<ReportTable> tables;
   for (const Measure& measure : measures()) {
-    ReportTable table{
-        measure.title, measure.y_label.empty() ? "" : "mean ± standard error, mm", {"modes"}, {}};
+    ReportTable table{measure.title, measure.is_mean ? "mean ± standard error, mm" : "", {"modes"}, {}};
     std::size_t longest = 0;
     std::vector<std::vector<CurvePoint>> columns;
     for (const NamedEvaluation& named : evaluations) {
@@ -112,7 +112,9 @@ std::vector<ReportTable> model_tables(const std::vector<NamedEvaluation>& evalua
       std::vector<std::string> row{""};
       for (const auto& column : columns) {
         if (i < column.size()) row[0] = std::to_string(column[i].modes);
-        row.push_back(i < column.size() ? fixed(column[i].value, 3) : "");
+        row.push_back(i >= column.size() ? ""
+                      : measure.is_mean  ? fixed(column[i].value, 3)
+                                         : fixed(column[i].value.mean, 3));
       }
       table.rows.push_back(std::move(row));
     }

@@ -1,5 +1,6 @@
 #include "foramen/render/render_scene.hpp"
 
+#include <cmath>
 #include <cstdlib>
 
 #include "foramen/core/error.hpp"
@@ -9,6 +10,9 @@
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkLightKit.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkPointData.h>
@@ -42,6 +46,14 @@ bool can_render() {
 #ifdef FORAMEN_WITH_VTK
 namespace {
 
+// Before everything: parallel projection looks the same from any distance.
+constexpr double camera_distance_mm = 1000;
+constexpr int supersampling = 3;
+constexpr double key_light = 0.85, key_to_fill = 2.0;
+constexpr double ambient = 0.1;
+constexpr float edge_width = 0.6F;     // pixels of the picture
+constexpr double wire_opacity = 0.25;  // an edge is drawn by both its triangles
+
 vtkNew<vtkUnsignedCharArray> colour_array(const std::vector<Colour>& colours) {
   vtkNew<vtkUnsignedCharArray> array;
   array->SetNumberOfComponents(3);
@@ -53,7 +65,7 @@ void paint(vtkActor& actor, const Colour& c) {
   actor.GetProperty()->SetColor(c[0] / 255.0, c[1] / 255.0, c[2] / 255.0);
 }
 
-vtkNew<vtkActor> surface_actor(const SceneSurface& surface) {
+vtkNew<vtkPolyData> poly_data(const SceneSurface& surface) {
   vtkNew<vtkPoints> points;
   for (const Vec3& p : surface.soup.points) points->InsertNextPoint(p.data());
   vtkNew<vtkCellArray> cells;
@@ -63,25 +75,45 @@ vtkNew<vtkActor> surface_actor(const SceneSurface& surface) {
   data->SetPolys(cells);
   if (!surface.vertex_colours.empty()) data->GetPointData()->SetScalars(colour_array(surface.vertex_colours));
   if (!surface.face_colours.empty()) data->GetCellData()->SetScalars(colour_array(surface.face_colours));
+  if (!surface.vertex_normals.empty()) {
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetNumberOfComponents(3);
+    for (const Vec3& n : surface.vertex_normals) normals->InsertNextTypedTuple(n.data());
+    data->GetPointData()->SetNormals(normals);
+  }
+  return data;
+}
 
+vtkNew<vtkActor> surface_actor(const SceneSurface& surface) {
+  const vtkNew<vtkPolyData> data = poly_data(surface);
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkPolyDataNormals> normals;
-  const bool flat = !surface.face_colours.empty() || surface.edges || !surface.lit;
-  if (flat) {
-    mapper->SetInputData(data);
-  } else {
+  const bool smooth = surface.style == SurfaceStyle::smooth;
+  const bool lit =
+      smooth || surface.style == SurfaceStyle::facets || surface.style == SurfaceStyle::triangles;
+  if (smooth && surface.vertex_normals.empty()) {
     normals->SetInputData(data);
     normals->SplittingOff();
     normals->ConsistencyOff();
     mapper->SetInputConnection(normals->GetOutputPort());
+  } else {
+    mapper->SetInputData(data);
   }
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
+  vtkProperty& property = *actor->GetProperty();
   paint(*actor, surface.colour);
-  actor->GetProperty()->SetInterpolation(flat ? VTK_FLAT : VTK_PHONG);
-  actor->GetProperty()->SetLighting(surface.lit);
-  actor->GetProperty()->SetEdgeVisibility(surface.edges);
-  actor->GetProperty()->SetEdgeColor(0.25, 0.25, 0.25);
+  property.SetAmbient(ambient);
+  property.SetInterpolation(smooth ? VTK_PHONG : VTK_FLAT);
+  property.SetLighting(lit);
+  property.SetEdgeVisibility(surface.style == SurfaceStyle::triangles);
+  property.SetEdgeColor(0.35, 0.33, 0.30);
+  property.SetLineWidth(supersampling * edge_width);
+  if (surface.style == SurfaceStyle::wires) {
+    property.SetRepresentationToWireframe();
+    property.SetColor(0, 0, 0);
+    property.SetOpacity(wire_opacity);
+  }
   return actor;
 }
 
@@ -111,40 +143,87 @@ vtkNew<vtkActor> curve_actor(const SceneCurve& curve) {
   return actor;
 }
 
-void set_camera(vtkRenderer& renderer, const Scene& scene) {
+void set_camera(vtkRenderer& renderer, const Camera& scene) {
   vtkCamera& camera = *renderer.GetActiveCamera();
   camera.ParallelProjectionOn();
-  const Vec3 direction = scene.direction.normalized();
-  camera.SetFocalPoint(0, 0, 0);
-  camera.SetPosition(-direction.x(), -direction.y(), -direction.z());
-  camera.SetViewUp(scene.up.x(), scene.up.y(), scene.up.z());
-  renderer.ResetCamera();
-  camera.SetParallelScale(scene.height_mm > 0 ? scene.height_mm / 2 : camera.GetParallelScale() * 0.78);
+  const Vec3 position = scene.centre - camera_distance_mm * scene.direction.normalized();
+  camera.SetFocalPoint(scene.centre.data());
+  camera.SetPosition(position.data());
+  camera.SetViewUp(scene.up.data());
+  camera.SetParallelScale(scene.height_mm / 2);
   renderer.ResetCameraClippingRange();
+}
+
+// Pixels of a picture, counted from its top left corner.
+struct Panel {
+  const Scene* scene;
+  double left, top, width, height;
+};
+
+std::vector<Panel> arranged(const std::vector<std::vector<Scene>>& rows, double width) {
+  std::vector<Panel> panels;
+  double top = 0;
+  for (const auto& row : rows) {
+    double shapes = 0;
+    for (const Scene& scene : row) shapes += scene.camera.width_mm / scene.camera.height_mm;
+    const double height = width / shapes;
+    double left = 0;
+    for (const Scene& scene : row) {
+      panels.push_back({&scene, left, top, height * scene.camera.width_mm / scene.camera.height_mm, height});
+      left += panels.back().width;
+    }
+    top += height;
+  }
+  return panels;
+}
+
+// Each pixel the mean of a square of pixels: what is drawn finer than a pixel comes out as a shade.
+vtkNew<vtkImageData> shrunk(vtkImageData& image) {
+  const int* fine = image.GetDimensions();
+  const int width = fine[0] / supersampling, height = fine[1] / supersampling;
+  vtkNew<vtkImageData> out;
+  out->SetDimensions(width, height, 1);
+  out->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const auto* from = static_cast<const unsigned char*>(image.GetScalarPointer());
+  auto* to = static_cast<unsigned char*>(out->GetScalarPointer());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (int channel = 0; channel < 3; ++channel) {
+        int sum = 0;
+        for (int j = 0; j < supersampling; ++j)
+          for (int i = 0; i < supersampling; ++i)
+            sum += from[3 * ((supersampling * y + j) * fine[0] + supersampling * x + i) + channel];
+        constexpr int count = supersampling * supersampling;
+        *to++ = static_cast<unsigned char>((sum + count / 2) / count);
+      }
+  return out;
 }
 
 }  // namespace
 
-std::string render_png(const std::vector<Scene>& scenes, int columns, const PictureSize& size) {
+std::string render_png(const std::vector<std::vector<Scene>>& rows, int width_pixels) {
   if (!can_render())
     throw Error("pictures need a display and there is none (DISPLAY is not set): run under xvfb-run -a");
-  FORAMEN_ASSERT(!scenes.empty() && columns > 0);
-  const int count = static_cast<int>(scenes.size()), rows = (count + columns - 1) / columns;
+  const std::vector<Panel> panels = arranged(rows, width_pixels);
+  FORAMEN_ASSERT(!panels.empty());
+  const double height = panels.back().top + panels.back().height;
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(8);
-  window->SetSize(size.width * columns, size.height * rows);
-  for (int i = 0; i < count; ++i) {
-    const Scene& scene = scenes[static_cast<std::size_t>(i)];
+  window->SetMultiSamples(0);
+  window->SetSize(supersampling * width_pixels, supersampling * static_cast<int>(std::lround(height)));
+  for (const Panel& panel : panels) {
     vtkNew<vtkRenderer> renderer;
-    const int column = i % columns, row = rows - 1 - i / columns;
-    renderer->SetViewport(double(column) / columns, double(row) / rows, double(column + 1) / columns,
-                          double(row + 1) / rows);
+    renderer->SetViewport(panel.left / width_pixels, 1 - (panel.top + panel.height) / height,
+                          (panel.left + panel.width) / width_pixels, 1 - panel.top / height);
     renderer->SetBackground(1, 1, 1);
-    for (const SceneSurface& surface : scene.surfaces) renderer->AddActor(surface_actor(surface));
-    for (const SceneCurve& curve : scene.curves) renderer->AddActor(curve_actor(curve));
+    for (const SceneSurface& surface : panel.scene->surfaces) renderer->AddActor(surface_actor(surface));
+    for (const SceneCurve& curve : panel.scene->curves) renderer->AddActor(curve_actor(curve));
+    vtkNew<vtkLightKit> lights;
+    lights->SetKeyLightIntensity(key_light);
+    lights->SetKeyToFillRatio(key_to_fill);
+    lights->AddLightsToRenderer(renderer);
     window->AddRenderer(renderer);
-    set_camera(*renderer, scene);
+    set_camera(*renderer, panel.scene->camera);
   }
   window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
@@ -152,14 +231,16 @@ std::string render_png(const std::vector<Scene>& scenes, int columns, const Pict
   grab->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
   writer->WriteToMemoryOn();
-  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetCompressionLevel(9);
+  grab->Update();
+  writer->SetInputData(shrunk(*grab->GetOutput()));
   writer->Write();
   vtkUnsignedCharArray* bytes = writer->GetResult();
   return {reinterpret_cast<const char*>(bytes->GetPointer(0)),
           static_cast<std::size_t>(bytes->GetNumberOfValues())};
 }
 #else
-std::string render_png(const std::vector<Scene>&, int, const PictureSize&) {
+std::string render_png(const std::vector<std::vector<Scene>>&, int) {
   throw Error("this build of foramen has no VTK and makes no pictures: install libvtk9-dev and build again");
 }
 #endif

@@ -12,7 +12,10 @@
 namespace foramen {
 namespace {
 
-constexpr double width = 520, height = 340, left = 62, right = 16, top = 34, bottom = 46;
+constexpr double width = 440, left = 56, right = 16, title_height = 34, plot_height = 220, bottom = 46;
+// The legend stands between title and curves, so that it hides none.
+constexpr std::size_t legend_columns = 2;
+constexpr double legend_line = 18;
 
 // Okabe and Ito's colours, which the colour-blind can tell apart.
 constexpr std::array<const char*, 6> colours{"#0072B2", "#D55E00", "#009E73",
@@ -50,6 +53,7 @@ struct Range {
 };
 
 struct Frame {
+  double top = title_height, height = title_height + plot_height + bottom;
   Axis x, y;
   double px(double v) const { return left + (v - x.low) / (x.high - x.low) * (width - left - right); }
   double py(double v) const {
@@ -59,7 +63,13 @@ struct Frame {
 
 double error_of(const ChartSeries& s, std::size_t i) { return i < s.error.size() ? s.error[i] : 0.0; }
 
+std::size_t legend_lines(const Chart& chart) {
+  return chart.series.size() < 2 ? 0 : (chart.series.size() + legend_columns - 1) / legend_columns;
+}
+
 Frame frame_of(const Chart& chart) {
+  const double legend_height = legend_line * static_cast<double>(legend_lines(chart));
+  Frame frame{title_height + legend_height, title_height + legend_height + plot_height + bottom, {}, {}};
   Range x, y;
   for (const ChartSeries& s : chart.series)
     for (std::size_t i = 0; i < s.x.size(); ++i) {
@@ -67,9 +77,10 @@ Frame frame_of(const Chart& chart) {
       y.add(s.y[i] - error_of(s, i));
       y.add(s.y[i] + error_of(s, i));
     }
-  if (x.low > x.high) return {};
+  if (x.low > x.high) return frame;
   if (y.low > 0 && y.low < y.high / 3) y.low = 0;
-  Frame frame{round_axis(x.low, x.high, 12), round_axis(y.low, y.high, 6)};
+  frame.x = round_axis(x.low, x.high, 12);
+  frame.y = round_axis(y.low, y.high, 6);
   frame.x.low = x.low;
   frame.x.high = std::max(x.high, x.low + 1);
   return frame;
@@ -93,11 +104,11 @@ std::string axes(const Chart& chart, const Frame& f) {
     out += label(left - 6, f.py(v) + 4, "end", number(v, f.y.digits));
   }
   for (double v = std::ceil(f.x.low / f.x.step) * f.x.step; v <= f.x.high + 1e-9; v += f.x.step)
-    out += label(f.px(v), height - bottom + 16, "middle", number(v, f.x.digits));
-  out += line(left, height - bottom, width - right, height - bottom, "stroke=\"currentColor\"");
-  out += label((left + width - right) / 2, height - 10, "middle", chart.x_label);
-  out += label(14, (top + height - bottom) / 2, "middle", chart.y_label,
-               "transform=\"rotate(-90 14 " + number((top + height - bottom) / 2, 2) + ")\"");
+    out += label(f.px(v), f.height - bottom + 16, "middle", number(v, f.x.digits));
+  out += line(left, f.height - bottom, width - right, f.height - bottom, "stroke=\"currentColor\"");
+  out += label((left + width - right) / 2, f.height - 10, "middle", chart.x_label);
+  out += label(14, (f.top + f.height - bottom) / 2, "middle", chart.y_label,
+               "transform=\"rotate(-90 14 " + number((f.top + f.height - bottom) / 2, 2) + ")\"");
   return out + label(left, 20, "start", chart.title, "font-weight=\"bold\"");
 }
 
@@ -119,12 +130,17 @@ std::string curve(const ChartSeries& s, std::size_t index, const Frame& f) {
 }
 
 std::string legend(const Chart& chart) {
+  if (legend_lines(chart) == 0) return {};
   std::string out;
+  const double column_width = (width - left - right) / legend_columns;
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
-    const double y = top + 10 + 16 * static_cast<double>(i);
-    out += line(width - right - 128, y - 4, width - right - 108, y - 4,
-                "stroke-width=\"3\" stroke=\"" + std::string(colours[i % colours.size()]) + "\"");
-    out += label(width - right - 102, y, "start", chart.series[i].name);
+    const std::size_t row = i / legend_columns;
+    const double x = left + column_width * static_cast<double>(i % legend_columns);
+    const double y = title_height + 6 + legend_line * static_cast<double>(row);
+    out += "<g class=\"series-" + std::to_string(i) + "\">" +
+           line(x, y - 4, x + 20, y - 4,
+                "stroke-width=\"3\" stroke=\"" + std::string(colours[i % colours.size()]) + "\"") +
+           label(x + 26, y, "start", chart.series[i].name) + "</g>\n";
   }
   return out;
 }
@@ -136,12 +152,11 @@ std::string svg_chart(const Chart& chart) {
     FORAMEN_ASSERT(s.x.size() == s.y.size() && (s.error.empty() || s.error.size() == s.y.size()));
   const Frame frame = frame_of(chart);
   std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(width, 0) + " " +
-                    number(height, 0) + "\" role=\"img\" aria-label=\"" + html_escaped(chart.title) +
+                    number(frame.height, 0) + "\" role=\"img\" aria-label=\"" + html_escaped(chart.title) +
                     "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"currentColor\">\n";
   out += axes(chart, frame);
   for (std::size_t i = 0; i < chart.series.size(); ++i) out += curve(chart.series[i], i, frame);
-  if (chart.series.size() > 1) out += legend(chart);
-  return out + "</svg>\n";
+  return out + legend(chart) + "</svg>\n";
 }
 
 }  // namespace foramen

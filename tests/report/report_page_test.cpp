@@ -1,5 +1,8 @@
 #include "foramen/report/report_page.hpp"
 
+#include <algorithm>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,16 +25,20 @@ TEST(Base64, TestVectorsOfRfc4648) {
 
 TEST(ReportPage, TextFromFilesCannotBecomeMarkup) {
   ReportPage page{"<script>1</script>", "a & b", {}};
-  page.sections.push_back({"s\"", {"<img>"}, {{"t", "", {"h"}, {{"<b>"}}}}, {}, {}});
+  page.sections.push_back({.title = "s\"",
+                           .paragraphs = {"<img>"},
+                           .findings = {"<i>"},
+                           .tables = {{"t", "", {"h"}, {{"<b>"}}}}});
   const std::string html = report_html(page);
   EXPECT_THAT(html, Not(HasSubstr("<script>")));
   EXPECT_THAT(html, Not(HasSubstr("<b>")));
+  EXPECT_THAT(html, Not(HasSubstr("<i>")));
   EXPECT_THAT(html, HasSubstr("&lt;img&gt;"));
   EXPECT_THAT(html, HasSubstr("a &amp; b"));
 }
 
 TEST(ReportPage, LoadsNothingFromElsewhere) {
-  ReportPage page{"t", "", {{"s", {}, {}, {}, {{"picture", "png"}}}}};
+  ReportPage page{"t", "", {{.title = "s", .pictures = {{"picture", "png"}}}}};
   const std::string html = report_html(page);
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "url("})
     EXPECT_THAT(html, Not(HasSubstr(outside)));
@@ -51,6 +58,22 @@ TEST(SvgChart, PlacesPointsByTheirValues) {
   const double y1 = circle_y(svg, 0), y2 = circle_y(svg, 1), y3 = circle_y(svg, 2);
   EXPECT_GT(y1, y2);
   EXPECT_NEAR((y1 - y2) * 2, y2 - y3, 0.05);
+}
+
+// What stands above the plot: the smallest y of a curve's points is below the last line of the legend.
+TEST(SvgChart, TheLegendHidesNoCurve) {
+  Chart chart{"t", "modes", "mm", {}};
+  for (int i = 0; i < 5; ++i)
+    chart.series.push_back({std::string("model ").append(std::to_string(i)), {1, 2}, {1.0, 2.0 + i}, {}});
+  const std::string svg = svg_chart(chart);
+  double lowest_name = 0, highest_point = 1e9;
+  for (const ChartSeries& s : chart.series) {
+    const std::size_t at = svg.rfind("<text", svg.find(">" + s.name + "<"));
+    lowest_name = std::max(lowest_name, std::stod(svg.substr(svg.find(" y=\"", at) + 4)));
+  }
+  for (int i = 0; i < 10; ++i) highest_point = std::min(highest_point, circle_y(svg, i));
+  EXPECT_LT(lowest_name, highest_point);
+  EXPECT_THAT(svg_chart({"one", "x", "y", {{"alone", {1}, {1}, {}}}}), Not(HasSubstr("alone")));
 }
 
 TEST(SvgChart, AChartWithoutPointsIsStillAChart) {

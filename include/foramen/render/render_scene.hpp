@@ -13,14 +13,21 @@ namespace foramen {
 
 using Colour = std::array<unsigned char, 3>;
 
+enum class SurfaceStyle {
+  smooth,     ///< lit, shaded by normals at the points
+  facets,     ///< lit, each triangle flat
+  triangles,  ///< lit, each triangle flat, with its edges
+  flat_map,   ///< plain colours without light
+  wires       ///< the triangles' edges alone
+};
+
 struct SceneSurface {
   TriangleSoup soup;
+  SurfaceStyle style = SurfaceStyle::smooth;
+  std::vector<Vec3> vertex_normals;    ///< one per point, or empty: from the triangles at it. For smooth.
   std::vector<Colour> vertex_colours;  ///< one per point, or empty
-  std::vector<Colour>
-      face_colours;  ///< one per triangle, or empty; drawn flat. Not together with vertex_colours.
-  Colour colour{226, 214, 196};  ///< where neither is given
-  bool edges = false;            ///< draw the triangles' edges
-  bool lit = true;               ///< false: plain colours, for flat maps
+  std::vector<Colour> face_colours;    ///< one per triangle, or empty. Not together with vertex_colours.
+  Colour colour{226, 214, 196};        ///< where neither is given
 };
 
 struct SceneCurve {
@@ -30,23 +37,24 @@ struct SceneCurve {
   double radius = 0.6;  ///< mm
 };
 
-/// One view: the camera looks along `direction` at everything, with `up` upward, in parallel projection.
+/// Parallel projection. `direction` is where the camera looks, `up` is upward in the picture.
+struct Camera {
+  Vec3 centre = Vec3::Zero();  ///< of the picture
+  Vec3 direction = Vec3::UnitY(), up = Vec3::UnitZ();
+  double width_mm = 1, height_mm = 1;  ///< what the picture shows
+};
+
 struct Scene {
   std::vector<SceneSurface> surfaces;
   std::vector<SceneCurve> curves;
-  Vec3 direction = Vec3(0, -1, 0);
-  Vec3 up = Vec3(0, 0, 1);
-  double height_mm = 0;  ///< of the picture; 0: everything fits
+  Camera camera;
 };
 
-struct PictureSize {
-  int width = 640, height = 480;  ///< pixels of each scene
-};
+/// PNG bytes: rows of scenes from the top. A row fills the width of the picture; its scenes have the height
+/// in common and the shapes (width to height) of their cameras. Throws Error if can_render() is false.
+std::string render_png(const std::vector<std::vector<Scene>>& rows, int width_pixels);
 
 /// Whether pictures can be made here: this build has VTK and there is a display.
 bool can_render();
-
-/// PNG bytes of the scenes side by side, in `columns` columns. Throws Error if can_render() is false.
-std::string render_png(const std::vector<Scene>& scenes, int columns, const PictureSize& size = {});
 
 }  // namespace foramen

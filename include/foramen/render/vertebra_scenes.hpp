@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The standard views of a vertebra, and scenes of loops, torus maps, modes and flips.
+/// Where to look at a vertebra from, and its marked triangles.
 
 #include <span>
 #include <vector>
@@ -9,22 +9,20 @@
 
 namespace foramen {
 
+/// Columns: right, up and the line of sight. \pre the two are not parallel.
+Mat3 picture_axes(const Vec3& direction, const Vec3& up);
+
+/// The camera that sees all points in this direction, with a narrow margin.
+Camera frame(std::span<const Vec3> points, const Vec3& direction, const Vec3& up);
+
 /// From which side a surface is looked at, in its own principal frame (the canal's axis is not known to it):
-/// along the shortest, middle or longest principal axis.
+/// along the shortest, middle or longest principal axis. The longer of the other two lies across.
 enum class View { along_shortest, along_middle, along_longest };
 
-/// Camera of that view of these points; the same for all scenes made with the same points.
-void look(Scene& scene, std::span<const Vec3> points, View view);
-
-/// The flat torus, cut at turns 0, as a square of coloured triangles: each triangle of the map in the colour
-/// of its vertices' place on the surface.
-Scene torus_map_scene(const TriangleSoup& surface, std::span<const Vec2> turns, std::span<const Vec2i> jumps,
-                      const Mat2& lattice);
-
-/// A checkerboard in torus coordinates: what correspondence looks like on a surface.
-std::vector<Colour> checkerboard(std::span<const Vec2> turns, int squares);
+/// `shown` (all points that are to be in the picture) from that side of `points`.
+Camera view_of(std::span<const Vec3> points, View view, std::span<const Vec3> shown);
 
 /// A surface with some triangles marked red.
-SceneSurface marked_surface(const TriangleSoup& surface, const std::vector<int>& marked);
+SceneSurface marked_surface(const TriangleSoup& surface, const std::vector<int>& marked, SurfaceStyle style);
 
 }  // namespace foramen

@@ -20,12 +20,14 @@ struct ReportPicture {
   std::string png;  ///< the file's bytes
 };
 
+/// Its parts appear in this order.
 struct ReportSection {
   std::string title;
-  std::vector<std::string> paragraphs;
-  std::vector<ReportTable> tables;
-  std::vector<Chart> charts;
-  std::vector<ReportPicture> pictures;
+  std::vector<std::string> paragraphs = {};
+  std::vector<std::string> findings = {};  ///< a list, a line each
+  std::vector<ReportPicture> pictures = {};
+  std::vector<Chart> charts = {};
+  std::vector<ReportTable> tables = {};
 };
 
 struct ReportPage {
