@@ -12,7 +12,9 @@
 namespace foramen {
 
 struct IcpCorrespondenceOptions {
-  double min_normal_cosine = 0.0;  ///< A face is compatible when n . landmark normal > this. In [-1, 1).
+  /// A face is compatible when n . landmark normal > this. In [-1, 1). 45 degrees: of 90, 60, 45 the best for
+  /// the baseline in truth error, representation and generalization.
+  double min_normal_cosine = 0.7;
   double search_cap =
       std::numeric_limits<double>::infinity();  ///< Compatible points are sought closer than this [mm]. > 0.
 };

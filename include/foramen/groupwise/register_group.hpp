@@ -20,7 +20,7 @@ struct RegisterGroupOptions {
   InitialMap initial_map = InitialMap::torus;
   EdgeCost edge_cost = EdgeCost::length_weighted;
   double lambda =
-      0.1;  ///< Weight of distortion [mm^2]: E_target + lambda E_deg, both area-weighted means. > 0.
+      0.5;  ///< Weight of distortion [mm^2]: E_target + lambda E_deg, both area-weighted means. > 0.
   int working_vertices = 10000;  ///< Of the meshes that carry the search.
   double relative_tolerance = 1e-4;
   int iteration_limit = 200;  ///< Of each optimisation.
@@ -32,7 +32,7 @@ struct RegisterGroupOptions {
   int metric_updates =
       2;                  ///< Optimisations of a map in a round, each with the metric where the last left it.
   int round_limit = 4;    ///< Of rounds with the mean as template. >= 0.
-  double still_mm = 0.1;  ///< Rounds end when the mean moves by less than this (RMS) [mm].
+  double still_mm = 0.15; ///< Rounds end when the mean moves by less than this (RMS) [mm].
   int description_rounds = 0;  ///< After those: rounds of all maps by description_length() instead. >= 0.
   DescriptionLengthOptions description = {};
 };
