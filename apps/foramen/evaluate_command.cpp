@@ -37,6 +37,8 @@ void add_evaluate(CLI::App& program, Run& run) {
                       "folder of the original surfaces, by the same names; without it distances are to the "
                       "corresponding meshes");
   command->add_option("--truth", request.truth, "folder of the true correspondence, by the same names");
+  command->add_option("--true-landmarks", request.true_landmarks,
+                      "folder to write the same landmarks in true correspondence to (needs --truth)");
   command->add_option("-o,--output", request.output, "folder for metrics.json and metrics.csv");
   command
       ->add_option("--samples", request.options.draws,

@@ -84,7 +84,7 @@ ErrorSummary summary(const std::vector<Errors>& by_shape) {
 }
 
 /// The first shape's landmarks, carried by the true map and put onto each input surface.
-Landmarks true_landmarks(const CorrespondingCohort& cohort, const TrueMap& map, const RunContext& ctx) {
+Landmarks carried_landmarks(const CorrespondingCohort& cohort, const TrueMap& map, const RunContext& ctx) {
   const auto places = map.places(cohort.corresponding[0], 0);
   Landmarks landmarks(cohort.corresponding.size());
   parallel_for(cohort.size(), ctx, [&](int shape) {
@@ -106,8 +106,15 @@ TruthError truth_error(const CorrespondingCohort& cohort, const TrueCorresponden
   TruthError result;
   result.error = summary(errors);
   for (const Errors& e : errors) result.mean_from_shape.push_back(mean_of(e));
-  result.floor = summary(errors_of(true_landmarks(cohort, map, ctx), map, ctx));
+  result.floor = summary(errors_of(carried_landmarks(cohort, map, ctx), map, ctx));
   return result;
+}
+
+std::vector<std::vector<Vec3>> true_landmarks(const CorrespondingCohort& cohort,
+                                              const TrueCorrespondence& truth, const RunContext& ctx) {
+  check_cohort(cohort);
+  check_truth(cohort, truth);
+  return carried_landmarks(cohort, TrueMap(truth, ctx), ctx);
 }
 
 }  // namespace foramen

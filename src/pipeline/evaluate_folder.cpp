@@ -28,6 +28,14 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
   return surfaces;
 }
 
+void write_true_landmarks(const fs::path& target, const CorrespondingCohort& cohort,
+                          const TrueCorrespondence& truth, const RunContext& ctx) {
+  const auto landmarks = true_landmarks(cohort, truth, ctx);
+  fs::create_directories(target);
+  for (std::size_t i = 0; i < landmarks.size(); ++i)
+    write_ply(target / (cohort.names[i] + ".ply"), {landmarks[i], cohort.triangles});
+}
+
 std::string summary(const Evaluation& e) {
   std::string text = std::to_string(e.names.size()) + " shapes, " + std::to_string(e.landmarks) +
                      " landmarks (weights: " + std::string(name(e.options.weights)) + ")\n";
@@ -64,6 +72,10 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
     for (const auto& points : folder.shapes) cohort.inputs.push_back(build_mesh({points, folder.triangles}));
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, folder.names);
+  if (!request.true_landmarks.empty()) {
+    if (!truth) throw InvalidInput("--true-landmarks needs the true correspondence: give it with --truth");
+    write_true_landmarks(request.true_landmarks, cohort, *truth, ctx);
+  }
 
   EvaluatedFolder result{evaluate_model(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}};
   if (!request.output.empty()) {

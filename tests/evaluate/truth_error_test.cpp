@@ -35,6 +35,18 @@ TEST(TruthError, FloorIsTheDistanceOfTruthAndInput) {
   EXPECT_LT(truth_error(cohort, truth, RunContext(1)).floor.max, 1e-10);
 }
 
+TEST(TrueLandmarks, AreFoundAgainFromThoseOfTheFirstShapeAlone) {
+  CorrespondingCohort cohort = testing::torus_cohort({.shapes = 3});
+  const TrueCorrespondence truth = truth_of(cohort);
+  for (std::size_t s = 0; s < 3; ++s)
+    cohort.inputs[s] = build_mesh({cohort.corresponding[s], cohort.triangles});
+  std::reverse(cohort.corresponding[2].begin(), cohort.corresponding[2].end());  // a poor correspondence
+  const auto landmarks = true_landmarks(cohort, truth, RunContext(2));
+  for (std::size_t s = 0; s < 3; ++s)
+    for (std::size_t i = 0; i < landmarks[s].size(); ++i)
+      EXPECT_LT((landmarks[s][i] - truth.shapes[s][i]).norm(), 1e-9);
+}
+
 TEST(TruthError, MeasuresPlantedErrorsExactly) {
   CorrespondingCohort cohort = testing::torus_cohort({.shapes = 3, .shapes_per_subject = 1});
   const TrueCorrespondence truth = truth_of(cohort);

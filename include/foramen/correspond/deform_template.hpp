@@ -20,7 +20,7 @@ struct DeformTemplateOptions {
   double normal_weight = 8.0;  ///< mm per unit of normal difference in the searches, >= 0
   /// Part of a match that is point to point; the rest is along the mean normal. In (0, 1]. Small: what lies
   /// along the surface is left to the smoothness of the displacement.
-  double tangential_share = 0.02;
+  double tangential_share = 0.1;
   /// A patch of this area counts as one independent match, however many samples it holds [mm^2]. > 0.
   double independent_area_mm2 = 20;
   /// Matches farther than this many medians are left out (Tukey's biweight). > 0.

@@ -37,4 +37,9 @@ struct TruthError {
 TruthError truth_error(const CorrespondingCohort& cohort, const TrueCorrespondence& truth,
                        const RunContext& ctx);
 
+/// The first shape's landmarks as the true map carries them to every shape, put onto the input surfaces: what
+/// a perfect correspondence with these landmarks is, for measures beside the truth error.
+std::vector<std::vector<Vec3>> true_landmarks(const CorrespondingCohort& cohort,
+                                              const TrueCorrespondence& truth, const RunContext& ctx);
+
 }  // namespace foramen

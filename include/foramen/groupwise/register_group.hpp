@@ -30,9 +30,9 @@ struct RegisterGroupOptions {
   DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};  ///< From the last round's.
   SurfaceTargetsOptions targets = {};
   int metric_updates =
-      2;                  ///< Optimisations of a map in a round, each with the metric where the last left it.
-  int round_limit = 4;    ///< Of rounds with the mean as template. >= 0.
-  double still_mm = 0.15; ///< Rounds end when the mean moves by less than this (RMS) [mm].
+      2;                ///< Optimisations of a map in a round, each with the metric where the last left it.
+  int round_limit = 4;  ///< Of rounds with the mean as template. >= 0.
+  double still_mm = 0.15;      ///< Rounds end when the mean moves by less than this (RMS) [mm].
   int description_rounds = 0;  ///< After those: rounds of all maps by description_length() instead. >= 0.
   DescriptionLengthOptions description = {};
 };

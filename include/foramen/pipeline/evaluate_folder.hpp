@@ -15,8 +15,10 @@ struct EvaluateFolderRequest {
       corresponding;  ///< folder of corresponding meshes, or a model's folder (its corresponding/)
   std::filesystem::path
       shapes;  ///< folder of the original surfaces; empty: distances are to the corresponding meshes
-  std::filesystem::path truth;   ///< folder of the true correspondence; empty: unknown
-  std::filesystem::path output;  ///< folder for the metrics; empty: not written
+  std::filesystem::path truth;           ///< folder of the true correspondence; empty: unknown
+  std::filesystem::path true_landmarks;  ///< folder to write true_landmarks() to, as corresponding meshes
+                                         ///< that can be evaluated in turn; empty: not written. Needs truth.
+  std::filesystem::path output;          ///< folder for the metrics; empty: not written
   std::string subject_pattern;
   EvaluationOptions options = {};
 };

@@ -19,9 +19,9 @@ struct RepresentedShape {
 };
 
 struct ErrorDensityOptions {
-  double accepted_mm = 0.35;  ///< Errors up to this change nothing. > 0.
-  double exponent = 1.0;      ///< An error of r times that raises the density by r^exponent. >= 0.
-  int spread_rings = 3;       ///< Rings of grid points that an error reaches. >= 0.
+  double accepted_mm = 0.5;  ///< Errors up to this change nothing. > 0.
+  double exponent = 1.0;     ///< An error of r times that raises the density by r^exponent. >= 0.
+  int spread_rings = 3;      ///< Rings of grid points that an error reaches. >= 0.
 };
 
 /// The density times max(1, error / accepted)^exponent, the error at a point of the grid being the largest
