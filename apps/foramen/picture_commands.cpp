@@ -37,7 +37,9 @@ ReportPicture baseline_flips(const PictureCommand& command) {
     const TriangleTree input(read_shape(file, LengthUnit::millimetre).mesh);
     const auto with_flips = [&](const CorrespondingFolder& folder, std::size_t index) {
       FlippedMesh mesh{{folder.shapes[index], folder.triangles}, {}};
-      for (FaceId f : sampled_flips(build_mesh(mesh.soup), input).plain) mesh.flipped.push_back(f.index);
+      const Mesh corresponding = build_mesh(mesh.soup);
+      for (FaceId f : sampled_flips(corresponding, input, {single_precision_height(corresponding)}).plain)
+        mesh.flipped.push_back(f.index);
       return mesh;
     };
     FlippedMesh bad = with_flips(theirs, k);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/SVD>
 
@@ -14,11 +15,15 @@ namespace {
 // On a thin wall the closest point may be on the other side: input triangles this much farther are asked too.
 constexpr double confirming_edges = 0.25;
 constexpr double degenerate_height = 1e-12;
+// Three corners are rounded, in three coordinates each: their errors add up to less than this many.
+constexpr double rounding_errors = 8;
 
-bool is_degenerate(const std::array<Vec3, 3>& t) {
+bool is_degenerate(const std::array<Vec3, 3>& t, double least_height_mm = 0) {
   const double longest2 =
       std::max({(t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm()});
-  return 2 * area(t) <= degenerate_height * longest2;  // twice the area = longest side times height
+  const double longest = std::sqrt(longest2);
+  // Twice the area = longest side times height.
+  return 2 * area(t) <= std::max(degenerate_height * longest2, least_height_mm * longest);
 }
 
 bool opposes(const Vec3& normal, const Mesh& input, FaceId face) {
@@ -41,13 +46,14 @@ Mat3 rotation_onto(const Mesh& moving, const Mesh& fixed) {
 
 }  // namespace
 
-SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input) {
+SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input,
+                           const SampledFlipsOptions& options) {
   SampledFlips flips;
   if (corresponding.face_count() == 0) return flips;
   const double margin = confirming_edges * mean_edge_length(corresponding);
   for (FaceId f : corresponding.faces()) {
     const auto t = corresponding.triangle(f);
-    if (is_degenerate(t)) {
+    if (is_degenerate(t, options.least_height_mm)) {
       flips.degenerate.push_back(f);
       continue;
     }
@@ -59,6 +65,12 @@ SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input)
     if (opposes_all(normal, input.mesh(), input.faces_within(centroid, radius))) flips.confirmed.push_back(f);
   }
   return flips;
+}
+
+double single_precision_height(const Mesh& mesh) {
+  double largest = 0;
+  for (const Vec3& p : mesh.positions()) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+  return rounding_errors * (std::numeric_limits<float>::epsilon() / 2) * largest;
 }
 
 int opposing_mean(const Mesh& corresponding, const Mesh& mean) {

@@ -151,5 +151,29 @@ TEST(OpposingMean, RefusesOtherTriangles) {
                InvalidInput);
 }
 
+// Triangles laid flat on one of their sides have no normal; rounded to single precision they get one at
+// random.
+TEST(SampledFlips, RoundingToSinglePrecisionTurnsNothingOver) {
+  TriangleSoup soup = testing::torus_soup(60, 30);
+  for (Vec3& p : soup.points) p = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * p + Vec3(31, -47, 90);
+  const Mesh input = build_mesh(soup);
+  const TriangleTree tree(input);
+  std::vector<Vec3> collapsed(soup.points);
+  for (std::size_t f = 0; f < soup.triangles.size(); f += 2 * 30 * 3 + 14) {
+    const auto at = [&](std::size_t k) { return static_cast<std::size_t>(soup.triangles[f][k]); };
+    collapsed[at(0)] = soup.points[at(1)] + 0.37 * (soup.points[at(2)] - soup.points[at(1)]);
+  }
+  for (Vec3& p : collapsed) p = p.cast<float>().cast<double>();
+  const Mesh rounded = input.with_positions(collapsed);
+  const SampledFlipsOptions from_file{single_precision_height(rounded)};
+  EXPECT_THAT(sampled_flips(rounded, tree).plain, Not(IsEmpty()));
+  EXPECT_THAT(sampled_flips(rounded, tree, from_file).plain, IsEmpty());
+  EXPECT_THAT(sampled_flips(rounded, tree, from_file).degenerate, Not(IsEmpty()));
+
+  const Mesh folded = folded_torus(input);
+  EXPECT_EQ(sampled_flips(folded, tree, from_file).plain, sampled_flips(folded, tree).plain);
+  EXPECT_THAT(sampled_flips(folded, tree, from_file).plain, Not(IsEmpty()));
+}
+
 }  // namespace
 }  // namespace foramen

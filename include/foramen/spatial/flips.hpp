@@ -15,10 +15,20 @@ struct SampledFlips {
   std::vector<FaceId> degenerate;  ///< without area (a normal cannot be given)
 };
 
+struct SampledFlipsOptions {
+  /// Triangles of this height or less count as degenerate too [mm]: what rounding may have turned over. >= 0.
+  double least_height_mm = 0;
+};
+
 /// Two normals oppose each other when their dot product is negative. Input triangles without area have no
 /// normal and are passed over. A triangle counts as degenerate when its height is lost in rounding: below
 /// 1e-12 of its longest side.
-SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input);
+SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input,
+                           const SampledFlipsOptions& options = {});
+
+/// The least height for a mesh whose coordinates have been rounded to single precision, as PLY files hold
+/// them: eight times the rounding error of its largest coordinate.
+double single_precision_height(const Mesh& mesh);
 
 /// Triangles of `corresponding` whose normal opposes that of the same triangle of `mean`, after
 /// `corresponding` was moved onto `mean` by the least-squares rigid motion (Umeyama 1991, \cite umeyama1991).
