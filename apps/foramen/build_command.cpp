@@ -13,6 +13,7 @@ struct BuildCommand {
   BuildOptions build;  // as the flags have it
   std::vector<std::string> inputs;
   std::string output;
+  std::string truth;
   LengthUnit unit = LengthUnit::millimetre;
   bool strict = false;
   Console console;
@@ -23,6 +24,7 @@ int build(const BuildCommand& command) {
   for (const std::string& input : command.inputs) request.inputs.emplace_back(input);
   request.output = command.output;
   request.unit = command.unit;
+  request.truth = command.truth;
   request.build = command.build;
   request.evaluation = command.flags.evaluation;
   request.subject_pattern = command.flags.subject_pattern;
@@ -32,8 +34,8 @@ int build(const BuildCommand& command) {
 
 // The command as it is recorded: what decides the result, and nothing else.
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
-  static const std::vector<std::string> without{"--output", "--threads", "--json",
-                                                "--quiet",  "inputs",    "--help"};
+  static const std::vector<std::string> without{"--output", "--truth", "--threads", "--json",
+                                                "--quiet",  "inputs",  "--help"};
   std::string text = "foramen " + command.get_name();
   for (const std::string& input : inputs)
     text += " " + fs::path(input).lexically_normal().filename().string();
@@ -152,6 +154,10 @@ void add_build(CLI::App& program, Run& run) {
                           {"m", LengthUnit::metre},
                           {"um", LengthUnit::micrometre}},
                          "unit of the input files");
+  command
+      ->add_option("--truth", options->truth,
+                   "folder of the true correspondence, by the same names: measures the landmarks by it")
+      ->check(CLI::ExistingDirectory);
   command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {
