@@ -1,6 +1,4 @@
-  if [ ! -d "$folder/shapes" ] || [ ! -d "$folder/truth" ]; then
-    
-  fi#!/usr/bin/env bash
+#!/usr/bin/env bash
 # What each part of the correspondence brings: the same sets of shapes built with parts left out or replaced, a Markdown
 # table a set.
 set -euo pipefail
@@ -54,8 +52,10 @@ done
 [ -z "${with_paper:-}" ] || variants+=" paper"
 [ -x "$program" ] || { echo "$program: not there; ./dev build makes it" >&2; exit 1; }
 for folder in "${cohorts[@]}"; do
-  [ -d "$folder/shapes" ] && [ -d "$folder/truth" ] ||
-    { echo "$folder: holds no shapes/ and truth/; for shapes of unknown correspondence give --real $folder" >&2; exit 1; }
+  if [ ! -d "$folder/shapes" ] || [ ! -d "$folder/truth" ]; then
+    echo "$folder: holds no shapes/ and truth/; for shapes of unknown correspondence give --real $folder" >&2
+    exit 1
+  fi
 done
 
 # options_of VARIANT: what `foramen build` is told.
