@@ -1,5 +1,4 @@
 #include "build_options.hpp"
-#include "foramen/core/error.hpp"
 #include "foramen/pipeline/run_build.hpp"
 
 namespace foramen::app {
@@ -7,10 +6,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int description_rounds = 3;
+
 struct BuildCommand {
   BuildFlags flags;
+  BuildOptions build;  // as the flags have it
   std::vector<std::string> inputs;
   std::string output;
+  std::string truth;
   LengthUnit unit = LengthUnit::millimetre;
   bool strict = false;
   Console console;
@@ -21,7 +24,8 @@ int build(const BuildCommand& command) {
   for (const std::string& input : command.inputs) request.inputs.emplace_back(input);
   request.output = command.output;
   request.unit = command.unit;
-  request.build = command.flags.resolved();
+  request.truth = command.truth;
+  request.build = command.build;
   request.evaluation = command.flags.evaluation;
   request.subject_pattern = command.flags.subject_pattern;
   request.canonical_command = command.console.command;
@@ -30,8 +34,8 @@ int build(const BuildCommand& command) {
 
 // The command as it is recorded: what decides the result, and nothing else.
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
-  static const std::vector<std::string> without{"--output", "--threads", "--json",
-                                                "--quiet",  "inputs",    "--help"};
+  static const std::vector<std::string> without{"--output", "--truth", "--threads", "--json",
+                                                "--quiet",  "inputs",  "--help"};
   std::string text = "foramen " + command.get_name();
   for (const std::string& input : inputs)
     text += " " + fs::path(input).lexically_normal().filename().string();
@@ -51,10 +55,25 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
 void BuildFlags::add_to(CLI::App& command) {
   add_choice<Method>(command, "--method", build.method, {{"torus", Method::torus}, {"icp", Method::icp}},
                      "torus maps, or the ICP baseline");
-  objective_option = add_choice<Objective>(
+  objective_option = add_choice<ObjectiveChoice>(
       command, "--objective", objective,
-      {{"surface", Objective::surface}, {"neighbours", Objective::neighbours}},
-      "what draws the maps together: points of the bent mean's surface, or the paper's soft neighbours");
+      {{"surface", ObjectiveChoice::surface},
+       {"neighbours", ObjectiveChoice::neighbours},
+       {"description", ObjectiveChoice::description}},
+      "what draws the maps together: points of the bent mean's surface, the paper's soft neighbours, or the "
+      "surface and then the description length");
+  group_options = {
+      command
+          .add_option("--rounds", build.group.round_limit,
+                      "most rounds with the mean as template; 0: the reference stays the template")
+          ->check(CLI::Range(0, 100)),
+      add_choice<DistortionMeasure>(
+          command, "--distortion", build.group.distortion,
+          {{"template", DistortionMeasure::on_template}, {"plane", DistortionMeasure::in_plane}},
+          "where distortion is measured: on the template, or in the flat torus"),
+      add_choice<Bending>(command, "--bending", build.group.bending,
+                          {{"smooth", Bending::smooth}, {"rigid", Bending::rigid}},
+                          "how the template is brought onto a shape: bent, or only aligned")};
   command.add_option("--reference", build.reference, "name of the reference shape, or auto");
   lambda_option = command.add_option("--lambda", lambda, "weight of distortion against correspondence")
                       ->check(CLI::PositiveNumber);
@@ -94,10 +113,19 @@ BuildOptions BuildFlags::resolved() const {
     options.registration = paper_options();
     options.objective = Objective::neighbours;
   }
-  if (objective_option->count() > 0) options.objective = objective;
+  if (objective_option->count() > 0) {
+    options.objective = objective == ObjectiveChoice::neighbours ? Objective::neighbours : Objective::surface;
+    if (objective == ObjectiveChoice::description) options.group.description_rounds = description_rounds;
+  }
   if (lambda_option->count() > 0) options.registration.lambda = options.group.lambda = lambda;
   if (map_option->count() > 0) options.registration.initial_map = options.group.initial_map = initial_map;
   if (optimiser_option->count() > 0) options.registration.optimiser = optimiser;
+  if (!registered_together(options))
+    for (const CLI::Option* option : group_options)
+      if (option->count() > 0)
+        throw CLI::ValidationError(
+            option->get_name(),
+            "has no effect with --method icp, --objective neighbours or --paper; leave it out");
   return options;
 }
 
@@ -126,9 +154,14 @@ void add_build(CLI::App& program, Run& run) {
                           {"m", LengthUnit::metre},
                           {"um", LengthUnit::micrometre}},
                          "unit of the input files");
+  command
+      ->add_option("--truth", options->truth,
+                   "folder of the true correspondence, by the same names: measures the landmarks by it")
+      ->check(CLI::ExistingDirectory);
   command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {
+    options->build = options->flags.resolved();
     options->console.command = canonical_command(*command, options->inputs);
     run = [options] { return build(*options); };
   });

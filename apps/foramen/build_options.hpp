@@ -15,6 +15,9 @@
 
 namespace foramen::app {
 
+/// What --objective takes.
+enum class ObjectiveChoice { surface, neighbours, description };
+
 struct BuildFlags {
   BuildOptions build;
   EvaluationOptions evaluation;
@@ -23,12 +26,14 @@ struct BuildFlags {
   double lambda = 0;
   InitialMap initial_map = InitialMap::torus;
   Optimiser optimiser = Optimiser::newton;
-  Objective objective = Objective::surface;
+  ObjectiveChoice objective = ObjectiveChoice::surface;
   CLI::Option *objective_option = nullptr, *lambda_option = nullptr, *map_option = nullptr,
               *optimiser_option = nullptr;
+  std::vector<CLI::Option*> group_options;  // of no effect unless shapes are registered as a group
 
   void add_to(CLI::App& command);
-  /// --paper sets the paper's choices; what was given by name overrides them.
+  /// --paper sets the paper's choices; what was given by name overrides them. Throws CLI::ValidationError for
+  /// an option that would have no effect. \pre the command line is parsed
   BuildOptions resolved() const;
 };
 

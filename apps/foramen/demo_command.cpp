@@ -9,6 +9,7 @@ namespace fs = std::filesystem;
 struct DemoCommand {
   SynthOptions synth;
   BuildFlags flags;
+  BuildOptions build;  // as the flags have it
   std::string output = "foramen-demo";
   Console console;
 };
@@ -24,7 +25,7 @@ int demo(const DemoCommand& command) {
   request.inputs = {folder / "shapes"};
   request.output = folder / "model";
   request.truth = folder / "truth";
-  request.build = command.flags.resolved();
+  request.build = command.build;
   request.evaluation = command.flags.evaluation;
   request.canonical_command = "foramen demo";
   const int code = finish_build(request, console, true);
@@ -45,6 +46,7 @@ void add_demo(CLI::App& program, Run& run) {
   add_console_options(*command, options->console);
   command->callback([options, &run] {
     options->synth.seed = options->flags.build.seed;
+    options->build = options->flags.resolved();
     run = [options] { return demo(*options); };
   });
 }

@@ -4,7 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "foramen/core/error.hpp"
@@ -28,7 +31,9 @@ struct PreparedTemplate {
   PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options)
       : surface(std::move(made)),
         metric(surface),
-        displacements(smooth_displacements(surface.mesh.positions(), options.displacements)) {}
+        displacements(options.bending == Bending::smooth
+                          ? smooth_displacements(surface.mesh.positions(), options.displacements)
+                          : Eigen::MatrixXd()) {}
 };
 
 /// A shape on its way. Meshes in the shape's own coordinates.
@@ -148,7 +153,7 @@ class GroupRegistrar {
     member.to_template = result.alignment.transform;
     member.working = simplify(*member.input, single_, {.target_vertices = options_.working_vertices});
     const Mesh aligned = transformed(member.working.mesh, member.to_template);
-    member.bent = deform_template(to.surface.mesh, to.displacements, aligned, single_, options_.first);
+    member.bent = bent_onto(aligned, to, options_.first, {});
 
     const Mesh carried = bent_back(aligned, to.surface, member.bent);
     FirstMap first = first_map(carried, aligned, reference_.loops, options_.initial_map, options_.edge_cost);
@@ -172,8 +177,23 @@ class GroupRegistrar {
     const TorusLocator locator(member.working.mesh, member.map.map);
     const auto start =
         transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
-    member.bent = deform_template(to.surface.mesh, to.displacements, aligned, single_, options_.again, start);
+    member.bent = bent_onto(aligned, to, options_.again, start);
     improve(member, aligned, to);
+  }
+
+  std::vector<Vec3> bent_onto(const Mesh& aligned, const PreparedTemplate& to,
+                              const DeformTemplateOptions& how, std::span<const Vec3> start) const {
+    if (options_.bending == Bending::rigid)
+      return {to.surface.mesh.positions().begin(), to.surface.mesh.positions().end()};
+    return deform_template(to.surface.mesh, to.displacements, aligned, single_, how, start);
+  }
+
+  OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
+                         const CorrespondenceObjective& pull) const {
+    const std::optional<TargetMetric> metric = options_.distortion == DistortionMeasure::on_template
+                                                   ? std::optional(to.metric.at(aligned, start))
+                                                   : std::nullopt;
+    return optimise_map(aligned, start, single_, optimise_options(), &pull, metric ? &*metric : nullptr);
   }
 
   std::unique_ptr<CorrespondenceObjective> objective(const Member& member, const Mesh& aligned,
@@ -188,9 +208,8 @@ class GroupRegistrar {
   void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) {
     const auto pull = objective(member, aligned, to);
     for (int k = 0; k < options_.metric_updates; ++k) {
-      const TargetMetric metric = to.metric.at(aligned, member.map.map);
       const int before = member.map.iterations;
-      member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), pull.get(), &metric);
+      member.map = optimised(aligned, member.map.map, to, *pull);
       member.map.iterations += before;
     }
     require_converged(member.map, "working");
@@ -246,8 +265,7 @@ class GroupRegistrar {
     const Mesh aligned = transformed(*member.input, member.to_template);
     const auto pull = objective(member, aligned, to);
     const TorusMap start = refine_map(*member.input, member.working, member.map.map);
-    const TargetMetric metric = to.metric.at(aligned, start);
-    const OptimisedMap full = optimise_map(aligned, start, single_, optimise_options(), pull.get(), &metric);
+    const OptimisedMap full = optimised(aligned, start, to, *pull);
     require_converged(full, "input");
     RegisteredShape& result = member.result;
     result.shape_map = certified(*member.input, member.map, full);

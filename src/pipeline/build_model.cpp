@@ -123,15 +123,16 @@ Registrations register_together(ModelBuild& build, std::vector<InputShape> input
     result.failures.push_back(std::move(member.failure));
   }
   build.template_motion_mm = std::move(group.template_motion_mm);
+  build.description_lengths = std::move(group.description_lengths);
   return result;
 }
 
 // Registers every shape; those that fail are moved to the ones left out.
 void register_all(ModelBuild& build, std::vector<InputShape> inputs, int reference,
                   const BuildOptions& options, const RunContext& ctx) {
-  const bool together = options.method == Method::torus && options.objective == Objective::surface;
-  auto [outcomes, failures] = (together ? register_together(build, std::move(inputs), reference, options, ctx)
-                                        : register_each(build, std::move(inputs), reference, options, ctx));
+  auto [outcomes, failures] =
+      (registered_together(options) ? register_together(build, std::move(inputs), reference, options, ctx)
+                                    : register_each(build, std::move(inputs), reference, options, ctx));
   if (!failures[static_cast<std::size_t>(reference)].empty())
     throw ConvergenceError("the reference " + outcomes[static_cast<std::size_t>(reference)].input.file_name +
                            " cannot be registered with the mean of all shapes (" +
@@ -159,6 +160,10 @@ std::vector<std::vector<Vec3>> corresponding_shapes(const ModelBuild& build) {
 }
 
 }  // namespace
+
+bool registered_together(const BuildOptions& options) {
+  return options.method == Method::torus && options.objective == Objective::surface;
+}
 
 int choose_reference(const std::vector<InputShape>& shapes) {
   std::vector<double> areas, volumes;

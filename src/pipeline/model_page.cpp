@@ -127,7 +127,13 @@ ReportSection pictures_section(const Atlas& atlas, const ShapeModel& model) {
 
 ReportSection provenance(const ordered_json& run) {
   ReportTable options{"Options", "", {"option", "value"}, {}};
-  for (const auto& [key, value] : run.at("options").items()) options.rows.push_back({key, text_of(value)});
+  for (const auto& [key, value] : run.at("options").items()) {
+    if (!value.is_object())
+      options.rows.push_back({key, text_of(value)});
+    else
+      for (const auto& [part, of_part] : value.items())
+        options.rows.push_back({key + ": " + part, text_of(of_part)});
+  }
   ReportTable inputs{"Inputs", "", {"file", "sha256"}, {}};
   for (const ordered_json& input : run.at("inputs"))
     inputs.rows.push_back({input.at("file").get<std::string>(), input.at("sha256").get<std::string>()});

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int smoothing_rounds = 3;
 
-/// The grid as neighbours of its points: six each, round the torus.
+/// The grid as neighbours of its points: the next in row and column, round the torus.
 class GridNeighbours {
  public:
   explicit GridNeighbours(const TorusGrid& grid) : rows_(grid.rows), columns_(grid.columns) {}

@@ -81,6 +81,8 @@ TEST_F(Cli, UsageErrorsExitWith2) {
   EXPECT_EQ(run("build").code, 2);
   EXPECT_EQ(run("build x -o y --method magic").code, 2);
   EXPECT_EQ(run("build x -o y --landmarks 400 --target-error 1").code, 2);
+  EXPECT_EQ(run("build x -o y --objective beauty").code, 2);
+  EXPECT_EQ(run("build x -o y --rounds -1").code, 2);
   EXPECT_EQ(run("--help").code, 0);
   EXPECT_THAT(run("--version").output, HasSubstr("foramen "));
 }
@@ -174,6 +176,46 @@ TEST_F(Cli, AreaWeightsAreTakenAndRecorded) {
       run("compare " + model.string() + " " + metrics.string() + " -o " + (folder() / "c").string()).output,
       HasSubstr("weights"));
   EXPECT_EQ(run(evaluate + "--weights heavy " + model.string()).code, 2);
+}
+
+TEST_F(Cli, PartsOfTheRegistrationAreChosenAndRecorded) {
+  const fs::path model = folder() / "parts";
+  const std::string shapes = (synth() / "shapes").string();
+  const auto built = [&](const std::string& parts) {
+    const Outcome outcome =
+        run("build --landmarks 400 --samples 5 " + parts + " " + shapes + " -o " + model.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    return nlohmann::json::parse(contents(model / "run.json"));
+  };
+  const auto rigid = built("--rounds 0 --distortion plane --bending rigid --lambda 0.2");
+  const auto& options = rigid.at("options");
+  EXPECT_EQ(options.at("objective"), "surface");
+  EXPECT_EQ(options.at("lambda"), 0.2);
+  EXPECT_EQ(options.at("group").at("rounds"), 0);
+  EXPECT_EQ(options.at("group").at("distortion"), "plane");
+  EXPECT_EQ(options.at("group").at("bending"), "rigid");
+  EXPECT_EQ(rigid.at("template_motion_mm").size(), 0u);
+  EXPECT_THAT(rigid.at("command").get<std::string>(),
+              HasSubstr("--rounds 0 --distortion plane --bending rigid"));
+
+  const auto described = built("--objective description --rounds 0");
+  EXPECT_EQ(described.at("options").at("objective"), "description");
+  EXPECT_EQ(described.at("options").at("group").at("bending"), "smooth");
+  EXPECT_EQ(described.at("description_lengths").size(), 4u) << "before each of three rounds and at the end";
+
+  const auto neighbours = built("--objective neighbours");
+  EXPECT_EQ(neighbours.at("options").at("objective"), "neighbours");
+  EXPECT_FALSE(neighbours.at("options").contains("group"));
+  EXPECT_NE(neighbours.at("options").at("lambda"), described.at("options").at("lambda"));
+}
+
+TEST_F(Cli, PartsOfNoEffectAreRefused) {
+  for (const std::string other : {"--method icp", "--objective neighbours", "--paper"})
+    for (const std::string part : {"--rounds 1", "--distortion plane", "--bending rigid"}) {
+      const Outcome refused = run("build x -o y " + other + " " + part);
+      EXPECT_EQ(refused.code, 2);
+      EXPECT_THAT(refused.output, HasSubstr(part.substr(0, part.find(' '))));
+    }
 }
 
 TEST_F(Cli, ABadShapeIsLeftOutAndNamedAndStrictRefuses) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <cmath>
 
@@ -31,6 +32,13 @@ Vec4 edges_of(const std::array<Vec2, 3>& t) {
   Vec4 q;
   q << t[1] - t[0], t[2] - t[0];
   return q;
+}
+
+Mat2 random_target(Rng& rng) {
+  Mat2 to_target;
+  to_target << rng.normal(), rng.normal(), rng.normal(), rng.normal();
+  if (to_target.determinant() < 0) to_target.col(0).swap(to_target.col(1));
+  return to_target;
 }
 
 TEST(Distortion, IsTheProductOfAngleAndAreaDistortion) {
@@ -62,6 +70,20 @@ TEST(Distortion, IsFourForAnIsometryAndKnownForAStretch) {
   EXPECT_NEAR(rest_triangle(surface, 2).area, 4 * area(surface), 1e-13);
 }
 
+// Measured on the target the triangle is where the metric puts it, as if the plane were the target.
+TEST(Distortion, OnATargetIsThatOfTheTriangleCarriedThere) {
+  Rng rng(4);
+  for (int k = 0; k < 200; ++k) {
+    RestTriangle rest = rest_triangle(random_surface(rng), 1);
+    const Vec4 q = edges_of(random_plane(rng));
+    const Mat2 to_target = random_target(rng);
+    const Mat2 carried = to_target * Eigen::Map<const Mat2>(q.data());
+    const double expected = distortion(rest, Eigen::Map<const Vec4>(carried.data()));
+    rest.to_target = to_target;
+    EXPECT_NEAR(distortion(rest, q) / expected, 1, 1e-9);
+  }
+}
+
 TEST(Distortion, IsInfiniteWithoutPositiveArea) {
   const auto rest = rest_triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, 1);
   EXPECT_TRUE(std::isinf(distortion(rest, Vec4(1, 0, 2, 0))));
@@ -70,10 +92,12 @@ TEST(Distortion, IsInfiniteWithoutPositiveArea) {
   EXPECT_TRUE(std::isinf(distortion_gradient(rest, Vec4(0, 1, 1, 0)).value));
 }
 
+// A metric of the target in half of the cases.
 TEST(DistortionTerm, AgreesWithCentralDifferences) {
   Rng rng(2);
-  for (int k = 0; k < 100; ++k) {
-    const RestTriangle rest = rest_triangle(random_surface(rng), 1);
+  for (int k = 0; k < 200; ++k) {
+    RestTriangle rest = rest_triangle(random_surface(rng), 1);
+    if (k % 2 == 1) rest.to_target = random_target(rng);
     const Vec4 q = edges_of(random_plane(rng));
     const DistortionTerm term = distortion_term(rest, q, false);
     const DistortionGradient gradient = distortion_gradient(rest, q);

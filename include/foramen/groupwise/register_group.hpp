@@ -16,6 +16,18 @@
 
 namespace foramen {
 
+/// Where the distortion of a shape's map is measured.
+enum class DistortionMeasure {
+  on_template,  ///< of the map shape -> template: TemplateMetric
+  in_plane,     ///< of the map shape -> flat torus
+};
+
+/// How the template is brought onto a shape before targets are sought on it.
+enum class Bending {
+  smooth,  ///< deform_template()
+  rigid,   ///< aligned only
+};
+
 struct RegisterGroupOptions {
   InitialMap initial_map = InitialMap::torus;
   EdgeCost edge_cost = EdgeCost::length_weighted;
@@ -25,6 +37,8 @@ struct RegisterGroupOptions {
   double relative_tolerance = 1e-4;
   int iteration_limit = 200;  ///< Of each optimisation.
   TemplateOptions mean = {};
+  DistortionMeasure distortion = DistortionMeasure::on_template;
+  Bending bending = Bending::smooth;
   SmoothDisplacementOptions displacements = {};
   DeformTemplateOptions first = {};  ///< From the rigidly aligned template.
   DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};  ///< From the last round's.

@@ -66,9 +66,13 @@ struct ModelBuild {
       0;  ///< confirmed-flipped or degenerate landmark triangles, over all shapes; must be 0
   ProcrustesResult procrustes;
   ShapeModel model;
-  std::vector<double> template_motion_mm;  ///< see GroupRegistration
+  std::vector<double> template_motion_mm;   ///< see GroupRegistration
+  std::vector<double> description_lengths;  ///< the same
   std::vector<std::pair<std::string, double>> stage_seconds;
 };
+
+/// Whether shapes are registered as a group, and options.group counts.
+bool registered_together(const BuildOptions& options);
 
 /// Throws InvalidInput if fewer than three shapes are usable or the named reference is not among them. A
 /// shape whose registration fails is left out with the reason.
