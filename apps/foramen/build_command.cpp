@@ -12,7 +12,7 @@ struct BuildCommand {
   std::vector<std::string> inputs;
   std::string output;
   LengthUnit unit = LengthUnit::millimetre;
-  bool strict = false;
+  bool refit = false, strict = false;
   Console console;
 };
 
@@ -23,6 +23,7 @@ int build(const BuildCommand& command) {
   request.unit = command.unit;
   request.build = command.flags.resolved();
   request.evaluation = command.flags.evaluation;
+  request.refit = command.refit;
   request.subject_pattern = command.flags.subject_pattern;
   request.canonical_command = command.console.command;
   return finish_build(request, command.console, command.strict);
@@ -126,6 +127,9 @@ void add_build(CLI::App& program, Run& run) {
                           {"m", LengthUnit::metre},
                           {"um", LengthUnit::micrometre}},
                          "unit of the input files");
+  command->add_flag("--refit", options->refit,
+                    "generalization with the correspondence computed anew without each shape (and each "
+                    "subject): as many more builds as there are shapes (and subjects)");
   command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {

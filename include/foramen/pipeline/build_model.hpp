@@ -67,6 +67,7 @@ struct ModelBuild {
   ProcrustesResult procrustes;
   ShapeModel model;
   std::vector<double> template_motion_mm;  ///< see GroupRegistration
+  GroupTemplate group_template;            ///< of Objective::surface
   std::vector<std::pair<std::string, double>> stage_seconds;
 };
 
