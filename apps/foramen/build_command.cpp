@@ -15,7 +15,7 @@ struct BuildCommand {
   std::string output;
   std::string truth;
   LengthUnit unit = LengthUnit::millimetre;
-  bool strict = false;
+  bool refit = false, strict = false;
   Console console;
 };
 
@@ -27,6 +27,7 @@ int build(const BuildCommand& command) {
   request.truth = command.truth;
   request.build = command.build;
   request.evaluation = command.flags.evaluation;
+  request.refit = command.refit;
   request.subject_pattern = command.flags.subject_pattern;
   request.canonical_command = command.console.command;
   return finish_build(request, command.console, command.strict);
@@ -158,6 +159,9 @@ void add_build(CLI::App& program, Run& run) {
       ->add_option("--truth", options->truth,
                    "folder of the true correspondence, by the same names: measures the landmarks by it")
       ->check(CLI::ExistingDirectory);
+  command->add_flag("--refit", options->refit,
+                    "generalization with the correspondence computed anew without each shape (and each "
+                    "subject): as many more builds as there are shapes (and subjects)");
   command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {

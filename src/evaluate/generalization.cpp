@@ -16,76 +16,16 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Shapes that are left out together.
-using Group = std::vector<int>;
-
-std::vector<Group> groups_of(const CorrespondingCohort& cohort, LeaveOut leave_out) {
-  std::vector<Group> groups;
-  std::vector<std::string> subjects;
-  for (int i = 0; i < cohort.size(); ++i) {
-    if (leave_out == LeaveOut::shape) {
-      groups.push_back({i});
-      continue;
-    }
-    const std::string& subject = cohort.subjects[static_cast<std::size_t>(i)];
-    const auto known = std::find(subjects.begin(), subjects.end(), subject);
-    if (known == subjects.end()) {
-      subjects.push_back(subject);
-      groups.push_back({i});
-    } else {
-      groups[static_cast<std::size_t>(known - subjects.begin())].push_back(i);
-    }
-  }
-  return groups;
-}
-
-struct PartialModel {
-  ProcrustesResult alignment;
-  ShapeModel model;
-};
-
-PartialModel model_without(const CorrespondingCohort& cohort, const Group& group, ScaleMode scale,
+AlignedModel model_without(const CorrespondingCohort& cohort, const std::vector<int>& group, ScaleMode scale,
                            const std::vector<double>& weights) {
   std::vector<std::vector<Vec3>> others;
   for (int i = 0; i < cohort.size(); ++i)
     if (std::find(group.begin(), group.end(), i) == group.end())
       others.push_back(cohort.corresponding[static_cast<std::size_t>(i)]);
-  PartialModel partial;
+  AlignedModel partial;
   partial.alignment = procrustes(others, scale, weights);
   partial.model = build_shape_model(partial.alignment.aligned, cohort.triangles, weights);
   return partial;
-}
-
-/// The errors of the best fits of a shape by a model, at every number of modes.
-std::vector<ShapeError> fit_errors(const CorrespondingCohort& cohort, int shape, const PartialModel& partial,
-                                   const std::vector<int>& counts, const GeneralizationOptions& options) {
-  const auto& landmarks = cohort.corresponding[static_cast<std::size_t>(shape)];
-  const ShapeModel& model = partial.model;
-  const SimilarityTransform motion =
-      align_to_mean(landmarks, partial.alignment, options.scale, model.weights());
-  Eigen::VectorXd truth(static_cast<Eigen::Index>(3 * landmarks.size()));
-  for (std::size_t p = 0; p < landmarks.size(); ++p)
-    truth.segment<3>(static_cast<Eigen::Index>(3 * p)) = motion(landmarks[p]);
-
-  const Eigen::VectorXd scores = model.scores(truth, model.modes());
-  const detail::MeasuredSurface input(transformed(cohort.inputs[static_cast<std::size_t>(shape)], motion),
-                                      options.samples, options.seed);
-  detail::MeasuredSurface fit(build_mesh({unflattened(model.mean()), cohort.triangles}), options.samples,
-                              options.seed);
-  detail::FarthestClusters start;
-  std::vector<ShapeError> errors;
-  for (const int modes : counts) {
-    const Eigen::VectorXd x = model.reconstruct(scores.head(std::min(modes, model.modes())));
-    fit.move_to(unflattened(x));
-    const std::vector<double> from_fit = sample_distances(fit, input),
-                              from_input = sample_distances(input, fit);
-    const double largest_sample = std::max(*std::max_element(from_fit.begin(), from_fit.end()),
-                                           *std::max_element(from_input.begin(), from_input.end()));
-    errors.push_back({detail::hausdorff_distance(fit, input, infinity, start, largest_sample),
-                      0.5 * (detail::mean_of(from_fit) + detail::mean_of(from_input)),
-                      model.landmark_rms(x, truth)});
-  }
-  return errors;
 }
 
 void check_options(const CorrespondingCohort& cohort, const GeneralizationOptions& options) {
@@ -99,13 +39,78 @@ void check_options(const CorrespondingCohort& cohort, const GeneralizationOption
 
 }  // namespace
 
+std::vector<std::vector<int>> left_out_together(int shapes, const std::vector<std::string>& subjects,
+                                                LeaveOut leave_out) {
+  std::vector<std::vector<int>> groups;
+  std::vector<std::string> known_subjects;
+  for (int i = 0; i < shapes; ++i) {
+    if (leave_out == LeaveOut::shape) {
+      groups.push_back({i});
+      continue;
+    }
+    const std::string& subject = subjects[static_cast<std::size_t>(i)];
+    const auto known = std::find(known_subjects.begin(), known_subjects.end(), subject);
+    if (known == known_subjects.end()) {
+      known_subjects.push_back(subject);
+      groups.push_back({i});
+    } else {
+      groups[static_cast<std::size_t>(known - known_subjects.begin())].push_back(i);
+    }
+  }
+  return groups;
+}
+
+std::vector<ShapeError> unseen_errors(const std::vector<Vec3>& landmarks, const Mesh& input,
+                                      const AlignedModel& aligned, const std::vector<int>& counts,
+                                      const GeneralizationOptions& options) {
+  const ShapeModel& model = aligned.model;
+  const SimilarityTransform motion =
+      align_to_mean(landmarks, aligned.alignment, options.scale, model.weights());
+  Eigen::VectorXd truth(static_cast<Eigen::Index>(3 * landmarks.size()));
+  for (std::size_t p = 0; p < landmarks.size(); ++p)
+    truth.segment<3>(static_cast<Eigen::Index>(3 * p)) = motion(landmarks[p]);
+
+  const Eigen::VectorXd scores = model.scores(truth, model.modes());
+  const detail::MeasuredSurface original(transformed(input, motion), options.samples, options.seed);
+  detail::MeasuredSurface fit(build_mesh({unflattened(model.mean()), model.triangles()}), options.samples,
+                              options.seed);
+  detail::FarthestClusters start;
+  std::vector<ShapeError> errors;
+  errors.reserve(counts.size());
+  for (const int modes : counts) {
+    const Eigen::VectorXd x = model.reconstruct(scores.head(std::min(modes, model.modes())));
+    fit.move_to(unflattened(x));
+    const std::vector<double> from_fit = sample_distances(fit, original),
+                              from_input = sample_distances(original, fit);
+    const double largest_sample = std::max(*std::max_element(from_fit.begin(), from_fit.end()),
+                                           *std::max_element(from_input.begin(), from_input.end()));
+    errors.push_back({detail::hausdorff_distance(fit, original, infinity, start, largest_sample),
+                      0.5 * (detail::mean_of(from_fit) + detail::mean_of(from_input)),
+                      model.landmark_rms(x, truth)});
+  }
+  return errors;
+}
+
+std::vector<ErrorsAtModes> over_shapes(const std::vector<std::vector<ShapeError>>& errors,
+                                       const std::vector<int>& counts) {
+  std::vector<ErrorsAtModes> by_modes;
+  if (errors.empty()) return by_modes;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    std::vector<ShapeError> items;
+    items.reserve(errors.size());
+    for (const auto& of_shape : errors) items.push_back(of_shape[k]);
+    by_modes.push_back(errors_at_modes(counts[k], std::move(items)));
+  }
+  return by_modes;
+}
+
 Generalization generalization(const CorrespondingCohort& cohort, const GeneralizationOptions& options,
                               const RunContext& ctx) {
   check_cohort(cohort);
   check_options(cohort, options);
-  const std::vector<Group> groups = groups_of(cohort, options.leave_out);
+  const auto groups = left_out_together(cohort.size(), cohort.subjects, options.leave_out);
   const auto largest = std::max_element(groups.begin(), groups.end(),
-                                        [](const Group& a, const Group& b) { return a.size() < b.size(); });
+                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
   const int remaining = cohort.size() - static_cast<int>(largest->size());
   if (remaining < 2)
     throw InvalidInput("generalization: without " +
@@ -114,7 +119,7 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
 
   const std::vector<double> weights =
       landmark_weights(cohort.corresponding, cohort.triangles, options.scale, options.weights);
-  std::vector<PartialModel> models(groups.size());
+  std::vector<AlignedModel> models(groups.size());
   parallel_for(static_cast<int>(groups.size()), ctx, [&](int g) {
     models[static_cast<std::size_t>(g)] =
         model_without(cohort, groups[static_cast<std::size_t>(g)], options.scale, weights);
@@ -128,19 +133,12 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
   detail::StageProgress progress(ctx, "generalization", cohort.size());
   parallel_for(cohort.size(), ctx, [&](int i) {
     const auto s = static_cast<std::size_t>(i);
-    errors[s] = fit_errors(cohort, i, models[group_of[s]], counts, options);
+    errors[s] =
+        unseen_errors(cohort.corresponding[s], cohort.inputs[s], models[group_of[s]], counts, options);
     progress.finished_one();
   });
 
-  Generalization result;
-  result.leave_out = options.leave_out;
-  result.groups = static_cast<int>(groups.size());
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    std::vector<ShapeError> items;
-    for (const auto& of_shape : errors) items.push_back(of_shape[k]);
-    result.by_modes.push_back(errors_at_modes(counts[k], std::move(items)));
-  }
-  return result;
+  return {options.leave_out, static_cast<int>(groups.size()), over_shapes(errors, counts)};
 }
 
 }  // namespace foramen

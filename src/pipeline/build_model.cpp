@@ -124,6 +124,7 @@ Registrations register_together(ModelBuild& build, std::vector<InputShape> input
   }
   build.template_motion_mm = std::move(group.template_motion_mm);
   build.description_lengths = std::move(group.description_lengths);
+  build.group_template = std::move(group.last_template);
   return result;
 }
 

@@ -95,6 +95,31 @@ ordered_json generalization_json(const Generalization& g, const char* left_out) 
           {"by_modes", to_json(g.by_modes)}};
 }
 
+ordered_json refit_json(const RefitGeneralization& refit, const char* left_out) {
+  ordered_json failures = ordered_json::array();
+  for (const RefitGeneralization::Failure& f : refit.failures)
+    failures.push_back({{"name", f.shape}, {"without", f.without}, {"reason", f.reason}});
+  return {{"definition",
+           std::string("leave one ") + left_out +
+               " out of the whole build: correspondence, alignment and PCA redone without it, the shape then "
+               "registered to that model and its reconstruction on M modes compared with the original input "
+               "surface; mean over the shapes that entered, standard error s / sqrt(n)"},
+          {"unit", "mm"},
+          {"groups", refit.generalization.groups},
+          {"names", refit.names},
+          {"failures", failures},
+          {"by_modes", to_json(refit.generalization.by_modes)}};
+}
+
+RefitGeneralization refit_from(const ordered_json& j, LeaveOut leave_out) {
+  RefitGeneralization refit{{leave_out, j.at("groups"), errors_from(j.at("by_modes"))},
+                            j.at("names").get<std::vector<std::string>>(),
+                            {}};
+  for (const ordered_json& f : j.at("failures"))
+    refit.failures.push_back({f.at("name"), f.at("without"), f.at("reason")});
+  return refit;
+}
+
 ordered_json specificity_json(const Evaluation& e) {
   return {{"definition",
            "random shapes b_m ~ N(0, variance_m), m <= M; distance to the closest training input surface; "
@@ -210,6 +235,9 @@ Evaluation evaluation_from(const ordered_json& j) {
   if (const ordered_json& subject = j.at("generalization_by_subject"); !subject.is_null())
     e.leave_subject_out =
         Generalization{LeaveOut::subject, subject.at("groups"), errors_from(subject.at("by_modes"))};
+  if (j.contains("refit")) e.refit = refit_from(j.at("refit"), LeaveOut::shape);
+  if (j.contains("refit_by_subject"))
+    e.refit_by_subject = refit_from(j.at("refit_by_subject"), LeaveOut::subject);
   e.specificity.by_modes = errors_from(j.at("specificity").at("by_modes"));
   for (const ordered_json& m : j.at("ensemble").at("by_modes"))
     e.ensemble.push_back(
@@ -264,6 +292,10 @@ std::vector<Row> metric_rows(const Evaluation& e) {
   rows.add(e.leave_one_out.by_modes, e.names, "shape", "generalization");
   if (e.leave_subject_out)
     rows.add(e.leave_subject_out->by_modes, e.names, "shape", "generalization_by_subject");
+  if (e.refit) rows.add(e.refit->generalization.by_modes, e.refit->names, "shape", "refit");
+  if (e.refit_by_subject)
+    rows.add(e.refit_by_subject->generalization.by_modes, e.refit_by_subject->names, "shape",
+             "refit_by_subject");
   rows.add(e.specificity.by_modes, {}, "draw", "specificity");
   const int all_modes = e.compactness.empty() ? 0 : e.compactness.back().modes;
   for (std::size_t i = 0; i < e.drawn.draws.size(); ++i) {
@@ -309,7 +341,7 @@ class ShapeFigures {
 }  // namespace
 
 std::string metrics_json(const Evaluation& e) {
-  const ordered_json out = {
+  ordered_json out = {
       {"format", format_version},
       {"names", e.names},
       {"subjects", e.subjects},
@@ -326,6 +358,8 @@ std::string metrics_json(const Evaluation& e) {
       {"ensemble", ensemble_json(e)},
       {"drawn_shapes", drawn_json(e.drawn)},
       {"truth", e.truth ? truth_json(*e.truth) : ordered_json()}};
+  if (e.refit) out["refit"] = refit_json(*e.refit, "shape");
+  if (e.refit_by_subject) out["refit_by_subject"] = refit_json(*e.refit_by_subject, "subject");
   return out.dump(2);
 }
 
@@ -353,6 +387,10 @@ Evaluation read_metrics_of_shapes(const std::filesystem::path& folder) {
   figures.fill(evaluation.leave_one_out, "generalization", evaluation.names);
   if (evaluation.leave_subject_out)
     figures.fill(*evaluation.leave_subject_out, "generalization_by_subject", evaluation.names);
+  if (evaluation.refit) figures.fill(evaluation.refit->generalization, "refit", evaluation.refit->names);
+  if (evaluation.refit_by_subject)
+    figures.fill(evaluation.refit_by_subject->generalization, "refit_by_subject",
+                 evaluation.refit_by_subject->names);
   return evaluation;
 }
 

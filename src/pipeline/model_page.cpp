@@ -88,6 +88,30 @@ std::string representation_line(const Evaluation& evaluation) {
          fixed(r.shapes[worst].distance.hausdorff, 2) + " mm, " + evaluation.names[worst] + ")";
 }
 
+std::string refit_line(const RefitGeneralization& refit, std::size_t shapes) {
+  const std::string left_out = refit.generalization.leave_out == LeaveOut::shape ? "shape" : "subject";
+  std::string line = "refit, correspondence computed without the " + left_out + ": " +
+                     std::to_string(refit.names.size()) + " of " + std::to_string(shapes) + " shapes entered";
+  if (const auto* g = at_quoted_modes(refit.generalization.by_modes))
+    line += ", generalization at " + std::to_string(g->modes) + " modes: Hausdorff " +
+            fixed(g->hausdorff, 2) + " mm, mean surface " + fixed(g->mean_surface, 3) + " mm";
+  return line;
+}
+
+ReportTable refit_failures_table(const Evaluation& evaluation) {
+  ReportTable table{
+      "Failed in a refit",
+      "A shape that is itself left out of the refit has no figure; another was not part of that "
+      "refit's model.",
+      {"shape", "refit without", "reason"},
+      {}};
+  for (const auto* refit : {&evaluation.refit, &evaluation.refit_by_subject})
+    if (*refit)
+      for (const RefitGeneralization::Failure& f : (*refit)->failures)
+        table.rows.push_back({f.shape, f.without, f.reason});
+  return table;
+}
+
 std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation& evaluation) {
   const std::size_t used = evaluation.names.size();
   std::vector<std::string> lines;
@@ -102,6 +126,8 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
   if (const auto* g = at_quoted_modes(evaluation.leave_one_out.by_modes))
     lines.push_back("generalization at " + std::to_string(g->modes) + " modes (leave one out): Hausdorff " +
                     fixed(g->hausdorff, 2) + " mm, mean surface " + fixed(g->mean_surface, 3) + " mm");
+  for (const auto* refit : {&evaluation.refit, &evaluation.refit_by_subject})
+    if (*refit) lines.push_back(refit_line(**refit, used));
   if (const auto* s = at_quoted_modes(evaluation.specificity.by_modes))
     lines.push_back("specificity at " + std::to_string(s->modes) + " modes: Hausdorff " +
                     fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
@@ -155,6 +181,8 @@ std::string model_page(const ordered_json& run, const Evaluation& evaluation, co
   ReportPage page{"Statistical shape model", std::to_string(evaluation.names.size()) + " vertebrae", {}};
   ReportSection summary{.title = "Summary", .findings = summary_lines(run, evaluation)};
   if (ReportTable table = left_out_table(run); !table.rows.empty())
+    summary.tables.push_back(std::move(table));
+  if (ReportTable table = refit_failures_table(evaluation); !table.rows.empty())
     summary.tables.push_back(std::move(table));
   page.sections.push_back(std::move(summary));
   page.sections.push_back(pictures_section(atlas, model));

@@ -1,5 +1,6 @@
 #include "pipeline/model_report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
@@ -21,6 +22,11 @@ std::vector<CurvePoint> of_errors(const std::vector<ErrorsAtModes>& errors, Esti
   std::vector<CurvePoint> out;
   for (const ErrorsAtModes& e : errors) out.push_back({e.modes, e.*which});
   return out;
+}
+
+std::vector<CurvePoint> of_refit(const std::optional<RefitGeneralization>& refit,
+                                 Estimate ErrorsAtModes::*which) {
+  return refit ? of_errors(refit->generalization.by_modes, which) : std::vector<CurvePoint>();
 }
 
 const std::vector<Measure>& measures() {
@@ -45,8 +51,26 @@ const std::vector<Measure>& measures() {
          for (const CompactnessAtModes& m : e.compactness) out.push_back({m.modes, {m.fraction, 0}});
          return out;
        }},
+      {"Generalization, Hausdorff (refit, leave one shape out)", "Hausdorff distance, mm", true,
+       [](const Evaluation& e) { return of_refit(e.refit, &ErrorsAtModes::hausdorff); }},
+      {"Generalization, mean surface (refit, leave one shape out)", "mean surface distance, mm", true,
+       [](const Evaluation& e) { return of_refit(e.refit, &ErrorsAtModes::mean_surface); }},
+      {"Generalization, Hausdorff (refit, leave one subject out)", "Hausdorff distance, mm", true,
+       [](const Evaluation& e) { return of_refit(e.refit_by_subject, &ErrorsAtModes::hausdorff); }},
+      {"Generalization, mean surface (refit, leave one subject out)", "mean surface distance, mm", true,
+       [](const Evaluation& e) { return of_refit(e.refit_by_subject, &ErrorsAtModes::mean_surface); }},
   };
   return all;
+}
+
+// What was measured of one of these models at least.
+std::vector<Measure> measures_of(const std::vector<NamedEvaluation>& evaluations) {
+  std::vector<Measure> measured;
+  for (const Measure& measure : measures())
+    if (std::any_of(evaluations.begin(), evaluations.end(),
+                    [&](const NamedEvaluation& e) { return !measure.points(*e.evaluation).empty(); }))
+      measured.push_back(measure);
+  return measured;
 }
 
 }  // namespace
@@ -81,7 +105,7 @@ std::string drawn_shapes_line(const DrawnShapes& drawn) {
 
 std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations) {
   std::vector<Chart> charts;
-  for (const Measure& measure : measures()) {
+  for (const Measure& measure : measures_of(evaluations)) {
     Chart chart{measure.title, "number of modes", measure.y_label, {}};
     for (const NamedEvaluation& named : evaluations) {
       ChartSeries series{named.name, {}, {}, {}};
@@ -99,7 +123,7 @@ std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations)
 
 std::vector<ReportTable> model_tables(const std::vector<NamedEvaluation>& evaluations) {
   std::vector<ReportTable> tables;
-  for (const Measure& measure : measures()) {
+  for (const Measure& measure : measures_of(evaluations)) {
     ReportTable table{measure.title, measure.is_mean ? "mean ± standard error, mm" : "", {"modes"}, {}};
     std::size_t longest = 0;
     std::vector<std::vector<CurvePoint>> columns;

@@ -12,7 +12,8 @@ struct NamedEvaluation {
 };
 
 /// Generalization and specificity (Hausdorff and mean surface), compactness, and the paper's ensemble form,
-/// against the number of modes, with standard errors: one curve per evaluation.
+/// against the number of modes, with standard errors: one curve per evaluation. Those of refits come last,
+/// where one of the evaluations has them.
 std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations);
 
 /// The figures of those charts as tables.

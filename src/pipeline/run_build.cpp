@@ -13,6 +13,7 @@
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
+#include "foramen/pipeline/refit.hpp"
 #include "pipeline/run_json.hpp"
 
 namespace foramen {
@@ -60,7 +61,29 @@ CorrespondingCohort corresponding_cohort(const ModelBuild& build, const std::str
   return cohort;
 }
 
-std::vector<std::string> notes_on(const ModelBuild& build) {
+// Adds what evaluate_model() cannot measure, since it takes whole builds.
+void add_refits(Evaluation& evaluation, const ModelBuild& build, const BuildOptions& options,
+                const RunContext& ctx) {
+  const auto start = std::chrono::steady_clock::now();
+  GeneralizationOptions measure{.scale = options.scale,
+                                .weights = options.weights,
+                                .samples = evaluation.options.samples,
+                                .seed = options.seed};
+  evaluation.refit = refit_generalization(build, {}, options, measure, ctx);
+  if (!evaluation.subjects.empty()) {
+    measure.leave_out = LeaveOut::subject;
+    evaluation.refit_by_subject = refit_generalization(build, evaluation.subjects, options, measure, ctx);
+  }
+  evaluation.seconds.refit = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void add_refit_notes(std::vector<std::string>& notes, const std::optional<RefitGeneralization>& refit) {
+  if (!refit) return;
+  for (const RefitGeneralization::Failure& failure : refit->failures)
+    notes.push_back("refit without " + failure.without + ": " + failure.shape + ": " + failure.reason);
+}
+
+std::vector<std::string> notes_on(const ModelBuild& build, const Evaluation& evaluation) {
   std::vector<std::string> notes;
   for (const ShapeOutcome& shape : build.shapes)
     if (shape.input.was_inward)
@@ -70,6 +93,8 @@ std::vector<std::string> notes_on(const ModelBuild& build) {
                     " landmark triangles are flipped or degenerate on some shape and could not be mended "
                     "within the budget of landmarks: "
                     "give more with --landmarks");
+  add_refit_notes(notes, evaluation.refit);
+  add_refit_notes(notes, evaluation.refit_by_subject);
   return notes;
 }
 
@@ -100,7 +125,8 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   evaluation_options.seed = request.build.seed;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
-  const Evaluation evaluation = evaluate_model(cohort, evaluation_options, ctx, truth ? &*truth : nullptr);
+  Evaluation evaluation = evaluate_model(cohort, evaluation_options, ctx, truth ? &*truth : nullptr);
+  if (request.refit) add_refits(evaluation, build, request.build, ctx);
 
   ctx.step("write", 0);
   remove_stale_files(request.output, build);
@@ -114,7 +140,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
 
   BuildSummary summary;
   summary.left_out = build.left_out;
-  summary.notes = notes_on(build);
+  summary.notes = notes_on(build, evaluation);
   summary.text = model_summary(run, evaluation);
   summary.json = run.dump(2);
   return summary;

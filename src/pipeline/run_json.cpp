@@ -185,6 +185,7 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
   for (const auto& [name, time] : build.stage_seconds) stages[name] = time;
   stages["evaluate"] = evaluation.seconds.representation + evaluation.seconds.generalization +
                        evaluation.seconds.specificity + evaluation.seconds.drawn + evaluation.seconds.truth;
+  if (evaluation.refit) stages["refit"] = evaluation.seconds.refit;
   return {{"version", version()},
           {"command", request.canonical_command},
           {"options", options_json(request.build)},

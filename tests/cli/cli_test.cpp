@@ -147,6 +147,22 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   EXPECT_TRUE(fs::exists(folder() / "compare" / "specificity.svg"));
 }
 
+TEST_F(Cli, ARefitIsReportedInEveryFile) {
+  const fs::path model = folder() / "refit";
+  const Outcome built = run("build --method icp --refit --landmarks 400 --samples 5 " +
+                            (synth() / "shapes").string() + " -o " + model.string());
+  ASSERT_EQ(built.code, 0) << built.output;
+  EXPECT_THAT(built.output, HasSubstr("4 of 4 shapes entered"));
+  const auto metrics = nlohmann::json::parse(contents(model / "metrics.json"));
+  EXPECT_EQ(metrics.at("refit").at("names").size(), 4u);
+  EXPECT_EQ(metrics.at("refit").at("by_modes").size(), 2u);
+  EXPECT_THAT(contents(model / "metrics.csv"), HasSubstr("refit_mean_surface"));
+  EXPECT_THAT(contents(model / "report.html"), HasSubstr("refit, leave one shape out"));
+  const auto record = nlohmann::json::parse(contents(model / "run.json"));
+  EXPECT_THAT(record.at("command").get<std::string>(), HasSubstr("--refit"));
+  EXPECT_EQ(run("compare " + model.string() + " " + model.string()).code, 0);
+}
+
 TEST_F(Cli, AreaWeightsAreTakenAndRecorded) {
   const fs::path model = folder() / "area", metrics = folder() / "area_metrics";
   const std::string shapes = (synth() / "shapes").string();

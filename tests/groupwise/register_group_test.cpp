@@ -134,6 +134,36 @@ TEST_F(RegisterGroup, TheDescriptionLengthNeverGrows) {
     EXPECT_LE(group.description_lengths[k], group.description_lengths[k - 1]);
 }
 
+TEST_F(RegisterGroup, AMemberRegisteredToTheGroupAnewLiesWhereItLay) {
+  const std::vector<Mesh> shapes = cohort();
+  const Reference reference = map_reference(shapes[0], ctx);
+  const GroupRegistration group = register_group(shapes, reference, 0, ctx, small());
+  ASSERT_EQ(group.last_template.rounds, 2);
+  Rng rng(8);
+  const RigidTransform pose = testing::random_pose(rng);
+  const Mesh moved = transformed(shapes[2], pose);
+  const RegisteredShape anew = register_to_group(moved, reference, group.last_template, ctx, small());
+  EXPECT_TRUE(anew.shape_map.certificate.valid());
+  const TorusLocator locator(moved, anew.shape_map.map);
+  const auto there = lift_to_surface(locator, group.members[2].registered->shape_map.map.turns.values());
+  double sum = 0;
+  for (VertexId v : shapes[2].vertices())
+    sum += (there[static_cast<std::size_t>(v)] - moved.position(v)).norm();
+  EXPECT_LT(sum / shapes[2].vertex_count(), 0.1);
+}
+
+TEST_F(RegisterGroup, WithoutRoundsAShapeIsRegisteredAsAMemberIs) {
+  const std::vector<Mesh> shapes = cohort();
+  const Reference reference = map_reference(shapes[0], ctx);
+  RegisterGroupOptions options = small();
+  options.round_limit = 0;
+  const GroupRegistration group = register_group(shapes, reference, 0, ctx, options);
+  const RegisteredShape anew = register_to_group(shapes[1], reference, group.last_template, ctx, options);
+  EXPECT_EQ(anew.shape_map.map.turns, group.members[1].registered->shape_map.map.turns);
+  options.description_rounds = 1;
+  EXPECT_THROW(register_to_group(shapes[1], reference, group.last_template, ctx, options), InvalidInput);
+}
+
 TEST_F(RegisterGroup, ThreadsChangeNothing) {
   const std::vector<Mesh> shapes = cohort();
   const Reference reference = map_reference(shapes[0], ctx);

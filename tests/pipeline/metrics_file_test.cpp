@@ -74,6 +74,28 @@ TEST(MetricsFile, ItemsOfShapesComeBackFromTheTable) {
   expect_same_items(*read.leave_subject_out, *written.leave_subject_out);
 }
 
+TEST(MetricsFile, ARefitComesBackWithTheShapesThatEntered) {
+  const TemporaryFolder folder;
+  Evaluation written = small_evaluation();
+  EXPECT_THAT(metrics_json(written), ::testing::Not(HasSubstr("refit")));
+  const std::vector<std::string> entered{written.names[0], written.names[3]};
+  written.refit = RefitGeneralization{
+      {LeaveOut::shape, 4, over_shapes({{{3, 1, 2}, {2, 0.5, 1}}, {{5, 2, 3}, {4, 1.5, 2}}}, {1, 2})},
+      entered,
+      {{written.names[1], written.names[1], "no loops"}}};
+  write_metrics(folder.path(), written);
+  const Evaluation read = read_metrics_of_shapes(folder.path());
+  ASSERT_TRUE(read.refit);
+  EXPECT_FALSE(read.refit_by_subject);
+  EXPECT_EQ(read.refit->names, entered);
+  EXPECT_EQ(read.refit->generalization.groups, 4);
+  expect_same(read.refit->generalization.by_modes[1].hausdorff,
+              written.refit->generalization.by_modes[1].hausdorff);
+  expect_same_items(read.refit->generalization, written.refit->generalization);
+  ASSERT_EQ(read.refit->failures.size(), 1u);
+  EXPECT_EQ(read.refit->failures[0].reason, "no loops");
+}
+
 TEST(MetricsFile, ATableOfAnotherEvaluationIsRefused) {
   const TemporaryFolder folder;
   write_metrics(folder.path(), small_evaluation());

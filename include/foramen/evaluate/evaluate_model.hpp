@@ -26,7 +26,7 @@ struct EvaluationOptions {
 };
 
 struct EvaluationSeconds {
-  double model = 0, representation = 0, generalization = 0, specificity = 0, drawn = 0, truth = 0;
+  double model = 0, representation = 0, generalization = 0, specificity = 0, drawn = 0, truth = 0, refit = 0;
 };
 
 struct Evaluation {
@@ -39,6 +39,8 @@ struct Evaluation {
   Generalization leave_one_out;
   std::optional<Generalization>
       leave_subject_out;  ///< unset: subjects not known, or fewer than 2, or too few shapes remain
+  /// Unset: not asked for (a build alone can make them, evaluate_model() does not).
+  std::optional<RefitGeneralization> refit, refit_by_subject;
   Specificity specificity;
   std::vector<EnsembleAtModes> ensemble;
   DrawnShapes drawn;

@@ -3,6 +3,7 @@
 /// Generalization: how well a model describes a shape it has not seen.
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "foramen/core/run_context.hpp"
@@ -40,5 +41,40 @@ struct Generalization {
 /// subjects unknown, or so few that 2 shapes do not remain.
 Generalization generalization(const CorrespondingCohort& cohort, const GeneralizationOptions& options,
                               const RunContext& ctx);
+
+/// Which shapes (indices) leave the model together: each alone, or those of one subject, in order of its
+/// first shape.
+/// \param subjects  one per shape; not looked at for LeaveOut::shape
+std::vector<std::vector<int>> left_out_together(int shapes, const std::vector<std::string>& subjects,
+                                                LeaveOut leave_out);
+
+struct AlignedModel {
+  ProcrustesResult alignment;  ///< what the model was made of
+  ShapeModel model;
+};
+
+/// d(input, x(M)) of one shape that is not in the model, for each of the numbers of modes.
+/// \param landmarks, input  in the shape's own coordinates, mm
+std::vector<ShapeError> unseen_errors(const std::vector<Vec3>& landmarks, const Mesh& input,
+                                      const AlignedModel& aligned, const std::vector<int>& counts,
+                                      const GeneralizationOptions& options);
+
+/// From the errors of each shape at all numbers of modes to the estimates over shapes; nothing without
+/// shapes.
+std::vector<ErrorsAtModes> over_shapes(const std::vector<std::vector<ShapeError>>& errors,
+                                       const std::vector<int>& counts);
+
+/// Generalization of the whole method: as generalization(), but the correspondence too is computed without
+/// the shapes left out; they are then registered to the model built without them.
+struct RefitGeneralization {
+  struct Failure {
+    std::string shape;    ///< that could not be registered
+    std::string without;  ///< in the build that left this shape or subject out
+    std::string reason;
+  };
+  Generalization generalization;   ///< items in the order of these names:
+  std::vector<std::string> names;  ///< shapes that entered
+  std::vector<Failure> failures;   ///< a shape of `without` has not entered; others were not in that model
+};
 
 }  // namespace foramen

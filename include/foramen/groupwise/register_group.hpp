@@ -57,8 +57,16 @@ struct GroupMember {
   double seconds = 0;                         ///< of this shape alone
 };
 
+/// What the last round registered all shapes to.
+struct GroupTemplate {
+  int rounds = 0;           ///< with a mean as template; 0: the reference was the only one, the rest is empty
+  TemplateSurface surface;  ///< see MeanTemplate
+  std::vector<Vec3> grid;   ///< see MeanTemplate
+};
+
 struct GroupRegistration {
-  std::vector<GroupMember> members;         ///< one per shape
+  std::vector<GroupMember> members;  ///< one per shape
+  GroupTemplate last_template;
   std::vector<double> template_motion_mm;   ///< RMS motion of the mean from round to round
   std::vector<double> description_lengths;  ///< before each of the rounds by it, and after the last
 };
@@ -78,5 +86,14 @@ struct GroupRegistration {
 GroupRegistration register_group(const std::vector<Mesh>& shapes, const Reference& reference,
                                  int reference_index, const RunContext& ctx,
                                  const RegisterGroupOptions& options = {});
+
+/// Registers one more shape to a group that stays as it is: as a member, but to the group's last template
+/// only, for as many rounds as the members had. On one thread.
+/// \param reference  the group's, with the map it was given or the one it has in the group
+/// \param options  the group's
+/// Throws TopologyError or ConvergenceError with the reason if any check fails; InvalidInput for
+/// description_rounds > 0.
+RegisteredShape register_to_group(const Mesh& shape, const Reference& reference, const GroupTemplate& group,
+                                  const RunContext& ctx, const RegisterGroupOptions& options = {});
 
 }  // namespace foramen

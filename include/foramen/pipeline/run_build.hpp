@@ -17,6 +17,7 @@ struct BuildRequest {
   LengthUnit unit = LengthUnit::millimetre;   ///< of the inputs
   BuildOptions build = {};
   EvaluationOptions evaluation = {};
+  bool refit = false;             ///< also refit_generalization(): as many builds as there are shapes
   std::string subject_pattern;    ///< regular expression on stems; empty: subjects unknown
   std::filesystem::path truth;    ///< folder of true correspondence; empty: unknown
   std::string canonical_command;  ///< recorded in the files

@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// What is done to each shape of a group by itself.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "foramen/groupwise/register_group.hpp"
+#include "foramen/groupwise/template_metric.hpp"
+#include "foramen/simplify/working_mesh.hpp"
+
+namespace foramen {
+
+/// A template with what every shape needs of it, made once a round.
+struct PreparedTemplate {
+  TemplateSurface surface;
+  TemplateMetric metric;
+  Eigen::MatrixXd displacements;
+
+  PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options);
+};
+
+/// A shape on its way. Meshes in the shape's own coordinates.
+struct Member {
+  const Mesh* input = nullptr;
+  RegisteredShape result;
+  WorkingMesh working;
+  OptimisedMap map;  // of the working mesh
+  RigidTransform to_template = RigidTransform::Identity();
+  std::vector<Vec3> bent;       // the template's vertices bent onto the shape, in template coordinates
+  std::vector<Vec3> attractor;  // the same for what the description length draws it to; empty: bent serves
+};
+
+/// The steps of register_group() for one shape, on one thread. All of them need of other shapes only the
+/// template.
+class MemberSteps {
+ public:
+  MemberSteps(const Reference& reference, const RunContext& ctx, const RegisterGroupOptions& options)
+      : reference_(reference), single_(ctx.with_threads(1)), options_(options) {}
+
+  /// The first map, from the rigid alignment to the reference, and its registration to the first template.
+  void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to) const;
+  /// Once more, to another template, from where the last step left the map. \pre to_template is up to date
+  void again(Member& member, const PreparedTemplate& to) const;
+  /// The map alone, drawn to what the template bent last (or the description length) says.
+  void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
+  /// From the working mesh to the input, with all checks: fills the result.
+  void finish(Member& member, const PreparedTemplate& to) const;
+
+ private:
+  OptimiseMapOptions optimise_options() const;
+  std::vector<Vec3> bent_onto(const Mesh& aligned, const PreparedTemplate& to,
+                              const DeformTemplateOptions& how, std::span<const Vec3> start) const;
+  /// With the distortion measured where the options say.
+  OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
+                         const CorrespondenceObjective& pull) const;
+  std::unique_ptr<CorrespondenceObjective> objective(const Member& member, const Mesh& aligned,
+                                                     const PreparedTemplate& to) const;
+
+  const Reference& reference_;
+  RunContext single_;
+  const RegisterGroupOptions& options_;
+};
+
+}  // namespace foramen

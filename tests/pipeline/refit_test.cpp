@@ -1,0 +1,129 @@
+#include "foramen/pipeline/refit.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "foramen/core/error.hpp"
+#include "foramen/spatial/surface_distance.hpp"
+#include "pipeline/torus_family.hpp"
+
+namespace foramen {
+namespace {
+
+using testing::family;
+using ::testing::HasSubstr;
+
+const GeneralizationOptions measure{.samples = 1000};
+
+BuildOptions quick() {
+  BuildOptions options = testing::small();
+  options.landmarks = 600;
+  options.grid_points = 6000;
+  options.density_updates = 1;
+  options.group.mean = {.vertices = 1500, .grid_points = 6000};
+  options.group.round_limit = 1;
+  return options;
+}
+
+// A last shape that is the second in another pose.
+Cohort family_with_twins() {
+  Cohort cohort = family();
+  InputShape twin = cohort.shapes[1];
+  twin.stem = "twin";
+  RigidTransform pose = RigidTransform::Identity();
+  pose.rotate(Eigen::AngleAxisd(2, Vec3(1, -1, 3).normalized())).pretranslate(Vec3(5, 60, -20));
+  twin.mesh = transformed(twin.mesh, pose);
+  cohort.shapes.push_back(std::move(twin));
+  return cohort;
+}
+
+Cohort family_with_another_first() {
+  Cohort cohort = family();
+  cohort.shapes[0].mesh = build_mesh(testing::lopsided_torus_soup(50, 26, 1.6));
+  return cohort;
+}
+
+double representation_error(const ShapeOutcome& shape, const LandmarkMesh& landmarks) {
+  return surface_distance(TriangleTree(build_mesh({shape.landmarks, landmarks.triangles})),
+                          TriangleTree(shape.input.mesh), {.samples = 1000})
+      .mean;
+}
+
+TEST(Refit, AShapeWhoseTwinIsInTheModelIsDescribedAsWellAsItIsRepresented) {
+  const BuildOptions options = quick();
+  const ModelBuild build = build_model(family_with_twins(), options, RunContext(2));
+  ASSERT_EQ(build.shapes.size(), 5u);
+  const RefitGeneralization refit = refit_generalization(build, {}, options, measure, RunContext(2));
+  EXPECT_TRUE(refit.failures.empty());
+  EXPECT_THAT(refit.names, ::testing::ElementsAre("s0", "s1", "s2", "s3", "twin"));
+  EXPECT_EQ(refit.generalization.groups, 5);
+  ASSERT_EQ(refit.generalization.by_modes.size(), 3u);  // 1 .. n - 2
+  const std::vector<ShapeError>& errors = refit.generalization.by_modes.back().items;
+  for (const std::size_t i : {1u, 4u}) {
+    const double represented = representation_error(build.shapes[i], build.landmarks);
+    EXPECT_LT(errors[i].mean_surface, 1.3 * represented) << refit.names[i];
+  }
+  // Nobody shows the outermost of a family what lies beyond the others.
+  EXPECT_GT(errors[3].mean_surface, 1.3 * errors[4].mean_surface);
+}
+
+TEST(Refit, TheModelOfTheOthersDoesNotSeeTheShape) {
+  BuildOptions options = quick();
+  const ModelBuild one = build_model(family(), options, RunContext(2));
+  options.reference = "s0";  // must not matter when it is left out
+  const ModelBuild other = build_model(family_with_another_first(), options, RunContext(2));
+  const ModelBuild a = build_without(one, {0}, quick(), RunContext(2));
+  const ModelBuild b = build_without(other, {0}, options, RunContext(1));
+  ASSERT_EQ(a.shapes.size(), 3u);
+  EXPECT_EQ(a.landmarks.turns, b.landmarks.turns);
+  EXPECT_EQ(a.group_template.grid, b.group_template.grid);
+  EXPECT_EQ(a.model.mean(), b.model.mean());
+  EXPECT_EQ(a.model.variance(), b.model.variance());
+  EXPECT_NE(one.model.variance(), other.model.variance()) << "the shape is to differ";
+}
+
+TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
+  for (const auto& [method, objective, largest_mm] :
+       {std::tuple{Method::icp, Objective::surface, 1e-9},
+        std::tuple{Method::torus, Objective::neighbours, 1e-9}}) {
+    BuildOptions options = quick();
+    options.method = method;
+    options.objective = objective;
+    const ModelBuild build = build_model(family(), options, RunContext(2));
+    const std::size_t other = build.reference == 0 ? 1 : 0;
+    const auto landmarks = landmarks_on_unseen(build.shapes[other].input.mesh, build, options, RunContext(1));
+    ASSERT_EQ(landmarks.size(), build.shapes[other].landmarks.size());
+    for (std::size_t p = 0; p < landmarks.size(); ++p)
+      EXPECT_LE((landmarks[p] - build.shapes[other].landmarks[p]).norm(), largest_mm);
+  }
+}
+
+TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
+  BuildOptions options = quick();
+  options.method = Method::icp;
+  const ModelBuild build = build_model(family(), options, RunContext(2));
+  GeneralizationOptions by_subject = measure;
+  by_subject.leave_out = LeaveOut::subject;
+  const RefitGeneralization refit =
+      refit_generalization(build, {"a", "a", "b", "c"}, options, by_subject, RunContext(2));
+  EXPECT_THAT(refit.names, ::testing::ElementsAre("s2", "s3"));
+  EXPECT_EQ(refit.generalization.groups, 2);
+  ASSERT_EQ(refit.failures.size(), 2u);
+  EXPECT_EQ(refit.failures[1].shape, "s1");
+  EXPECT_EQ(refit.failures[1].without, "a");
+  EXPECT_THAT(refit.failures[1].reason, HasSubstr("at least 3"));
+  ASSERT_EQ(refit.generalization.by_modes.size(), 2u);
+  EXPECT_EQ(refit.generalization.by_modes[0].items.size(), 2u);
+}
+
+TEST(Refit, AStopRequestReachesTheBuilds) {
+  BuildOptions options = quick();
+  options.method = Method::icp;
+  const ModelBuild build = build_model(family(), options, RunContext(2));
+  const RunContext stopped(1);
+  stopped.request_stop();
+  EXPECT_THROW(refit_generalization(build, {}, options, measure, stopped), Cancelled);
+}
+
+}  // namespace
+}  // namespace foramen
