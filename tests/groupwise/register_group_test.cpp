@@ -122,6 +122,33 @@ TEST_F(RegisterGroup, AnotherReferenceLeadsToTheSameCorrespondence) {
   EXPECT_LT(sum / static_cast<double>(carried[0].size()), 0.2);
 }
 
+// The reference on a template made of itself: no distortion there, and its own in the plane.
+TEST_F(RegisterGroup, DistortionIsMeasuredWhereItIsAskedFor) {
+  const std::vector<Mesh> shapes = cohort();
+  const Reference reference = map_reference(shapes[0], ctx);
+  RegisterGroupOptions options = small();
+  options.round_limit = 0;
+  const auto of_reference = [&] {
+    return register_group({shapes[0]}, reference, 0, ctx, options)
+        .members[0]
+        .registered->shape_map.distortion;
+  };
+  EXPECT_LT(of_reference(), 4.1);
+  options.distortion = DistortionMeasure::in_plane;
+  EXPECT_GT(reference.shape_map.distortion, 4.3);
+  EXPECT_NEAR(of_reference(), reference.shape_map.distortion, 0.02 * reference.shape_map.distortion);
+}
+
+TEST_F(RegisterGroup, WithoutBendingItIsFartherFromTheTruth) {
+  const std::vector<Mesh> shapes = cohort();
+  const Reference reference = map_reference(shapes[0], ctx);
+  RegisterGroupOptions options = small();
+  options.round_limit = 0;
+  const double smooth = mean_error(shapes, register_group(shapes, reference, 0, ctx, options));
+  options.bending = Bending::rigid;
+  EXPECT_GT(mean_error(shapes, register_group(shapes, reference, 0, ctx, options)), 1.2 * smooth);
+}
+
 TEST_F(RegisterGroup, TheDescriptionLengthNeverGrows) {
   const std::vector<Mesh> shapes = cohort();
   RegisterGroupOptions options = small();

@@ -97,8 +97,11 @@ TEST_F(ErrorDensity, AnErrorRaisesItThereByItsPowerAndNowhereFar) {
     for (int k = 0; k < density.size(); ++k) {
       const double factor = result.values()[k] / density.values()[k];
       EXPECT_GE(factor, 1);
-      if (steps(k, place) > options.spread_rings + smoothing_reach) EXPECT_EQ(factor, 1);
-      if (steps(k, place) == options.spread_rings) EXPECT_GT(factor, 1.5);
+      if (steps(k, place) > options.spread_rings + smoothing_reach) {
+        EXPECT_EQ(factor, 1);
+      } else if (steps(k, place) == options.spread_rings) {
+        EXPECT_GT(factor, 1.5);
+      }
     }
   }
 }
