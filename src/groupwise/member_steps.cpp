@@ -67,8 +67,7 @@ void MemberSteps::again(Member& member, const PreparedTemplate& to) const {
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
   // Corresponding points are where the last round left them.
   const TorusLocator locator(member.working.mesh, member.map.map);
-  const auto start =
-      transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
+  const auto start = transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
   member.bent = deform_template(to.surface.mesh, to.displacements, aligned, single_, options_.again, start);
   improve(member, aligned, to);
 }

@@ -82,8 +82,8 @@ class Refit {
     parallel_for(static_cast<int>(group.size()), ctx, [&](int k) {
       const auto shape = static_cast<std::size_t>(group[static_cast<std::size_t>(k)]);
       try {
-        refitted_[shape] = {
-            landmarks_on_unseen(build_.shapes[shape].input.mesh, without, options_, single), models_.size()};
+        refitted_[shape] = {landmarks_on_unseen(build_.shapes[shape].input.mesh, without, options_, single),
+                            models_.size()};
       } catch (const Cancelled&) {
         throw;
       } catch (const Error& e) {

@@ -91,8 +91,7 @@ TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
     options.objective = objective;
     const ModelBuild build = build_model(family(), options, RunContext(2));
     const std::size_t other = build.reference == 0 ? 1 : 0;
-    const auto landmarks =
-        landmarks_on_unseen(build.shapes[other].input.mesh, build, options, RunContext(1));
+    const auto landmarks = landmarks_on_unseen(build.shapes[other].input.mesh, build, options, RunContext(1));
     ASSERT_EQ(landmarks.size(), build.shapes[other].landmarks.size());
     for (std::size_t p = 0; p < landmarks.size(); ++p)
       EXPECT_LE((landmarks[p] - build.shapes[other].landmarks[p]).norm(), largest_mm);
