@@ -172,10 +172,10 @@ TEST_F(RegisterGroup, AMemberRegisteredToTheGroupAnewLiesWhereItLay) {
   const RegisteredShape anew = register_to_group(moved, reference, group.last_template, ctx, small());
   EXPECT_TRUE(anew.shape_map.certificate.valid());
   const TorusLocator locator(moved, anew.shape_map.map);
-  const auto there = lift_to_surface(locator, group.members[2].registered->shape_map.map.turns.values());
+  const VertexMap<Vec3> there(
+      lift_to_surface(locator, group.members[2].registered->shape_map.map.turns.values()));
   double sum = 0;
-  for (VertexId v : shapes[2].vertices())
-    sum += (there[static_cast<std::size_t>(v)] - moved.position(v)).norm();
+  for (VertexId v : shapes[2].vertices()) sum += (there[v] - moved.position(v)).norm();
   EXPECT_LT(sum / shapes[2].vertex_count(), 0.1);
 }
 
