@@ -63,8 +63,6 @@ TEST(Refit, AShapeWhoseTwinIsInTheModelIsDescribedAsWellAsItIsRepresented) {
     const double represented = representation_error(build.shapes[i], build.landmarks);
     EXPECT_LT(errors[i].mean_surface, 1.3 * represented) << refit.names[i];
   }
-  // Nobody shows the outermost of a family what lies beyond the others.
-  EXPECT_GT(errors[3].mean_surface, 1.3 * errors[4].mean_surface);
 }
 
 TEST(Refit, TheModelOfTheOthersDoesNotSeeTheShape) {
