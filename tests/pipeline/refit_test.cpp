@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "pipeline/torus_family.hpp"
