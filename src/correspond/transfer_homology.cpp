@@ -6,22 +6,21 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/point_index.hpp"
+#include "foramen/topology/linking.hpp"
 
 namespace foramen {
 namespace {
 
 EdgeLoop transfer_loop(const Mesh& shape, const OrientedPointIndex& index, VertexPaths& paths,
-                       const ReferenceLoops& reference, const VertexMap<Vec3>& reference_normals,
-                       const EdgeLoop& loop) {
-  std::vector<VertexId> stations;
-  for (HalfedgeId h : loop) {
-    const VertexId v = reference.mesh.from(h);
-    const VertexId moved(index.nearest(reference.mesh.position(v), reference_normals[v]).index);
-    if (stations.empty() || stations.back() != moved) stations.push_back(moved);
+                       const std::vector<LoopStation>& stations) {
+  std::vector<VertexId> passed;
+  for (const LoopStation& station : stations) {
+    const VertexId moved(index.nearest(station.position, station.normal).index);
+    if (passed.empty() || passed.back() != moved) passed.push_back(moved);
   }
   EdgeLoop closed;
-  for (std::size_t k = 0; k < stations.size(); ++k) {
-    const auto walk = paths.between(stations[k], stations[(k + 1) % stations.size()]);
+  for (std::size_t k = 0; k < passed.size(); ++k) {
+    const auto walk = paths.between(passed[k], passed[(k + 1) % passed.size()]);
     closed.insert(closed.end(), walk.begin(), walk.end());
   }
   FORAMEN_ASSERT(closed.empty() || shape.to(closed.back()) == shape.from(closed.front()));
@@ -63,18 +62,27 @@ std::array<VertexMap<Vec3>, 2> vertex_gradients(const Mesh& mesh, const TorusMap
 
 }  // namespace
 
+LoopStations stations_of(const ReferenceLoops& reference) {
+  const auto normals = vertex_normals(reference.mesh);
+  LoopStations stations;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (HalfedgeId h : reference.loops.loops[k]) {
+      const VertexId v = reference.mesh.from(h);
+      stations[k].push_back({reference.mesh.position(v), normals[v]});
+    }
+  return stations;
+}
+
 HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form,
-                                   const ReferenceLoops& reference) {
-  const auto reference_normals = vertex_normals(reference.mesh);
+                                   const LoopStations& reference) {
   const auto normals = vertex_normals(aligned_shape);
   const OrientedPointIndex index(aligned_shape.positions(), normals.values(), vertebra_normal_weight_mm);
   const auto lengths = edge_lengths(aligned_shape);
   VertexPaths paths(aligned_shape, lengths);
   HomologyTransfer transfer;
   for (int k = 0; k < 2; ++k) {
-    const EdgeLoop& loop = reference.loops.loops[static_cast<std::size_t>(k)];
     auto& moved = transfer.transferred[static_cast<std::size_t>(k)];
-    moved = transfer_loop(aligned_shape, index, paths, reference, reference_normals, loop);
+    moved = transfer_loop(aligned_shape, index, paths, reference[static_cast<std::size_t>(k)]);
     transfer.a.col(k) = integrate(form, moved);
   }
   const int det = transfer.a(0, 0) * transfer.a(1, 1) - transfer.a(0, 1) * transfer.a(1, 0);
@@ -83,6 +91,17 @@ HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& for
         "the reference's loops could not be carried to this shape (their homology matrix has determinant " +
         std::to_string(det) + ", not +-1): the shape is probably misaligned or of another anatomy");
   return transfer;
+}
+
+void require_reference_homology(const Mesh& carried, const Mesh& embedded, const TorusMap& map,
+                                const LoopStations& loops, const Eigen::Matrix2i& reference_seifert) {
+  const HomologyTransfer moved = transfer_homology(carried, {map.jumps}, loops);
+  const Eigen::Matrix2i seifert = seifert_matrix(embedded, moved.transferred[0], moved.transferred[1]);
+  if (moved.a == Eigen::Matrix2i::Identity() && seifert == reference_seifert) return;
+  throw TopologyError(
+      "the finished map winds the reference's loops round the torus otherwise than the reference does (or "
+      "they "
+      "link otherwise in space): the shape is probably misaligned or of another anatomy");
 }
 
 Eigen::Matrix2i inverse_unimodular(const Eigen::Matrix2i& a) {

@@ -57,7 +57,9 @@ class GroupRegistrar {
     for (int round = 0; round < options_.round_limit; ++round) {
       MeanTemplate next = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
+      // A mean that stands still is no one's template: what is bent stays in the frame of the one before.
       if (round > 0 && result_.template_motion_mm.back() < options_.still_mm) break;
+      take_transforms(next.transforms);
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
       last = mean.get();
       group = {round + 1, std::move(next.surface), std::move(next.grid)};
@@ -112,36 +114,38 @@ class GroupRegistrar {
       const auto k = static_cast<std::size_t>(i);
       locators[k] = std::make_unique<TorusLocator>(members_[k].working.mesh, members_[k].map.map);
     });
-    std::vector<const TorusLocator*> present;
-    std::vector<Member*> owners;
+    std::vector<const TorusLocator*> of_present;
+    for (const auto& locator : locators)
+      if (locator) of_present.push_back(locator.get());
+    return mean_template(of_present, reference_.shape_map.map.lattice, ctx_, options_.mean);
+  }
+
+  std::vector<Member*> present() {
+    std::vector<Member*> in;
     for (std::size_t i = 0; i < members_.size(); ++i)
-      if (locators[i]) {
-        present.push_back(locators[i].get());
-        owners.push_back(&members_[i]);
-      }
-    MeanTemplate mean = mean_template(present, reference_.shape_map.map.lattice, ctx_, options_.mean);
-    for (std::size_t k = 0; k < owners.size(); ++k) owners[k]->to_template = rigid(mean.transforms[k]);
-    return mean;
+      if (result_.members[i].failure.empty()) in.push_back(&members_[i]);
+    return in;
+  }
+
+  void take_transforms(const std::vector<SimilarityTransform>& transforms) {
+    const std::vector<Member*> members = present();
+    for (std::size_t k = 0; k < members.size(); ++k) members[k]->to_template = rigid(transforms[k]);
   }
 
   // The cohort as its maps have it now, and what its description length draws every shape to.
   void describe(const PreparedTemplate& to) {
+    const std::vector<Member*> members = present();
     std::vector<std::vector<Vec3>> lifted;
-    std::vector<Member*> owners;
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-      if (!result_.members[i].failure.empty()) continue;
-      const TorusLocator locator(members_[i].working.mesh, members_[i].map.map);
+    for (const Member* member : members) {
+      const TorusLocator locator(member->working.mesh, member->map.map);
       lifted.push_back(lift_to_surface(locator, to.surface.map.turns.values()));
-      owners.push_back(&members_[i]);
     }
     const std::vector<double> areas = vertex_areas(to.surface.mesh).values();
     const ProcrustesResult aligned = procrustes(lifted, ScaleMode::keep, areas);
     DescriptionLength length = description_length(aligned.aligned, areas, options_.description);
     result_.description_lengths.push_back(length.value);
-    for (std::size_t k = 0; k < owners.size(); ++k) {
-      owners[k]->to_template = rigid(aligned.transforms[k]);
-      owners[k]->attractor = std::move(length.attractors[k]);
-    }
+    take_transforms(aligned.transforms);
+    for (std::size_t k = 0; k < members.size(); ++k) members[k]->attractor = std::move(length.attractors[k]);
   }
 
   static double distance_of_means(const std::vector<Vec3>& before, const std::vector<Vec3>& after) {

@@ -78,9 +78,8 @@ struct GroupRegistration {
 /// lie if it were bent back), and the map that brings every vertex to its place on the reference
 /// (SurfaceTargets) with the least distortion of the map shape -> reference, without a flipped triangle. Then
 /// rounds with the Procrustes mean of all shapes as template, so that no shape is the favourite. In the end
-/// each map is carried to the shape's input mesh, optimised there, certified, and its direction compared with
-/// the reference's (map_agreement()). Its homology is checked once, at the first map: a motion without flips
-/// cannot change it.
+/// each map is carried to the shape's input mesh, optimised there and certified; its homology is checked anew
+/// (require_reference_homology()) and its direction compared with the reference's (map_agreement()).
 ///
 /// A shape that fails a check is left out, with the reason, and the rest go on. The reference is a shape like
 /// the others once the mean is the template.
