@@ -72,9 +72,11 @@ void BuildFlags::add_to(CLI::App& command) {
           command, "--distortion", build.group.distortion,
           {{"template", DistortionMeasure::on_template}, {"plane", DistortionMeasure::in_plane}},
           "where distortion is measured: on the template, or in the flat torus"),
-      add_choice<Bending>(command, "--bending", build.group.bending,
-                          {{"smooth", Bending::smooth}, {"rigid", Bending::rigid}},
-                          "how the template is brought onto a shape: bent, or only aligned")};
+      add_choice<Bending>(
+          command, "--bending", build.group.bending,
+          {{"cohort", Bending::cohort}, {"smooth", Bending::smooth}, {"rigid", Bending::rigid}},
+          "how the template is brought onto a shape: bent, with what the other shapes tell or each by "
+          "itself, or only aligned")};
   command.add_option("--reference", build.reference, "name of the reference shape, or auto");
   lambda_option = command.add_option("--lambda", lambda, "weight of distortion against correspondence")
                       ->check(CLI::PositiveNumber);

@@ -108,10 +108,11 @@ struct Pull {
 class Fit {
  public:
   Fit(const Mesh& surface, const Eigen::MatrixXd& functions, const Mesh& shape,
-      const DeformTemplateOptions& options)
+      const DeformTemplateOptions& options, const DisplacementPrior& prior)
       : surface_(surface),
         functions_(functions),
         options_(options),
+        prior_(prior_form(prior, 3 * functions.cols())),
         shape_(shape, options),
         vertices_(sampled_vertices(surface, options.samples)),
         area_per_vertex_(total_area(surface) / options.samples) {}
@@ -161,7 +162,7 @@ class Fit {
     return all;
   }
 
-  // (1 + sum phi^T W phi) a = sum phi^T W goal. One column of coefficients per coordinate.
+  // (P + sum phi^T W phi) a = q + sum phi^T W goal. One column of coefficients per coordinate.
   Eigen::MatrixX3d solved(const std::vector<Pull>& pulls) const {
     const auto count = static_cast<Eigen::Index>(pulls.size()), rank = functions_.cols();
     Eigen::MatrixXd at_pulls(count, rank);
@@ -179,7 +180,8 @@ class Fit {
         hessian.block(a * rank, b * rank, rank, rank).noalias() = at_pulls.transpose() * weighted;
       }
     }
-    hessian.diagonal().array() += 1;  // the prior
+    hessian.triangularView<Eigen::Lower>() += prior_.precision;
+    right += prior_.pull;
     const Eigen::VectorXd all = hessian.selfadjointView<Eigen::Lower>().llt().solve(right);
     return Eigen::Map<const Eigen::MatrixX3d>(all.data(), rank, 3);
   }
@@ -196,6 +198,7 @@ class Fit {
   const Mesh& surface_;
   const Eigen::MatrixXd& functions_;
   const DeformTemplateOptions& options_;
+  PriorForm prior_;
   MatchedShape shape_;
   std::vector<int> vertices_;
   double area_per_vertex_;
@@ -205,9 +208,9 @@ class Fit {
 
 std::vector<Vec3> deform_template(const Mesh& surface, const Eigen::MatrixXd& functions, const Mesh& shape,
                                   const RunContext& ctx, const DeformTemplateOptions& options,
-                                  std::span<const Vec3> start) {
+                                  std::span<const Vec3> start, const DisplacementPrior& prior) {
   check(surface, functions, options, start);
-  const Fit fit(surface, functions, shape, options);
+  const Fit fit(surface, functions, shape, options, prior);
   Mesh bent = start.empty() ? surface : surface.with_positions({start.begin(), start.end()});
   for (const double noise : options.noise_mm)
     for (int k = 0; k < options.iterations; ++k) {

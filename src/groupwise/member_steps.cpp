@@ -50,9 +50,9 @@ LoopStations loops_on(const PreparedTemplate& to, const Reference& reference) {
 PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options)
     : surface(std::move(made)),
       metric(surface),
-      displacements(options.bending == Bending::smooth
-                        ? smooth_displacements(surface.mesh.positions(), options.displacements)
-                        : Eigen::MatrixXd()) {}
+      displacements(options.bending == Bending::rigid
+                        ? Eigen::MatrixXd()
+                        : smooth_displacements(surface.mesh.positions(), options.displacements)) {}
 
 OptimiseMapOptions MemberSteps::optimise_options() const {
   return {.lambda = options_.lambda,
@@ -66,7 +66,7 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   member.to_template = result.alignment.transform;
   member.working = simplify(*member.input, single_, {.target_vertices = options_.working_vertices});
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
-  member.bent = bent_onto(aligned, to, options_.first, {});
+  member.bent = bent_onto(aligned, to, options_.first, {}, {});
 
   const Mesh carried = bent_back(aligned, to.surface, member.bent);
   FirstMap first = first_map(carried, aligned, reference_.loops, options_.initial_map, options_.edge_cost);
@@ -83,21 +83,23 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   member.map.initial_energy = energy;
 }
 
+void MemberSteps::place(Member& member, const PreparedTemplate& to) const {
+  const TorusLocator locator(member.working.mesh, member.map.map);
+  member.bent = transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
+}
+
 void MemberSteps::again(Member& member, const PreparedTemplate& to) const {
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
-  // Corresponding points are where the last round left them.
-  const TorusLocator locator(member.working.mesh, member.map.map);
-  const auto start = transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
-  member.bent = bent_onto(aligned, to, options_.again, start);
+  member.bent = bent_onto(aligned, to, options_.again, member.bent, member.prior);
   improve(member, aligned, to);
 }
 
 std::vector<Vec3> MemberSteps::bent_onto(const Mesh& aligned, const PreparedTemplate& to,
-                                         const DeformTemplateOptions& how,
-                                         std::span<const Vec3> start) const {
+                                         const DeformTemplateOptions& how, std::span<const Vec3> start,
+                                         const DisplacementPrior& prior) const {
   if (options_.bending == Bending::rigid)
     return {to.surface.mesh.positions().begin(), to.surface.mesh.positions().end()};
-  return deform_template(to.surface.mesh, to.displacements, aligned, single_, how, start);
+  return deform_template(to.surface.mesh, to.displacements, aligned, single_, how, start, prior);
 }
 
 OptimisedMap MemberSteps::optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,

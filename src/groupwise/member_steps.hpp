@@ -28,7 +28,8 @@ struct Member {
   WorkingMesh working;
   OptimisedMap map;  // of the working mesh
   RigidTransform to_template = RigidTransform::Identity();
-  std::vector<Vec3> bent;       // the template's vertices bent onto the shape, in template coordinates
+  DisplacementPrior prior;      // of the template's displacement onto it
+  std::vector<Vec3> bent;       // the template's vertices on the shape, in template coordinates
   std::vector<Vec3> attractor;  // the same for what the description length draws it to; empty: bent serves
 };
 
@@ -41,7 +42,9 @@ class MemberSteps {
 
   /// The first map, from the rigid alignment to the reference, and its registration to the first template.
   void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to) const;
-  /// Once more, to another template, from where the last step left the map. \pre to_template is up to date
+  /// Another template's vertices where the map has the corresponding points. \pre to_template is up to date
+  void place(Member& member, const PreparedTemplate& to) const;
+  /// Once more, to the template that was placed.
   void again(Member& member, const PreparedTemplate& to) const;
   /// The map alone, drawn to what the template bent last (or the description length) says.
   void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
@@ -51,7 +54,8 @@ class MemberSteps {
  private:
   OptimiseMapOptions optimise_options() const;
   std::vector<Vec3> bent_onto(const Mesh& aligned, const PreparedTemplate& to,
-                              const DeformTemplateOptions& how, std::span<const Vec3> start) const;
+                              const DeformTemplateOptions& how, std::span<const Vec3> start,
+                              const DisplacementPrior& prior) const;
   /// With the distortion measured where the options say.
   OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
                          const CorrespondenceObjective& pull) const;

@@ -54,15 +54,19 @@ class GroupRegistrar {
     const PreparedTemplate* last = &first;
     std::unique_ptr<PreparedTemplate> mean;
     GroupTemplate& group = result_.last_template;
+    // What the other shapes tell in the first round they have from maps made without it.
+    const int least_rounds = options_.bending == Bending::cohort ? 2 : 1;
     for (int round = 0; round < options_.round_limit; ++round) {
       MeanTemplate next = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
       // A mean that stands still is no one's template: what is bent stays in the frame of the one before.
-      if (round > 0 && result_.template_motion_mm.back() < options_.still_mm) break;
+      if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
       last = mean.get();
-      group = {round + 1, std::move(next.surface), std::move(next.grid)};
+      group = {round + 1, std::move(next.surface), std::move(next.grid), {}};
+      for_each_member("place", [&](int i) { steps_.place(members_[static_cast<std::size_t>(i)], *mean); });
+      if (options_.bending == Bending::cohort) group.prior = learn_priors(*mean);
       for_each_member("round " + std::to_string(round + 1),
                       [&](int i) { steps_.again(members_[static_cast<std::size_t>(i)], *mean); });
     }
@@ -132,6 +136,17 @@ class GroupRegistrar {
     for (std::size_t k = 0; k < members.size(); ++k) members[k]->to_template = rigid(transforms[k]);
   }
 
+  // Gives each member what the others tell of it; returns what all tell of a newcomer.
+  DisplacementPrior learn_priors(const PreparedTemplate& to) {
+    const std::vector<Member*> members = present();
+    std::vector<std::vector<Vec3>> placed;
+    for (const Member* member : members) placed.push_back(member->bent);
+    CohortPriors priors = cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
+    for (std::size_t k = 0; k < members.size(); ++k) members[k]->prior = std::move(priors.of_members[k]);
+    result_.unexplained_shares.push_back(priors.unexplained_share);
+    return std::move(priors.of_newcomer);
+  }
+
   // The cohort as its maps have it now, and what its description length draws every shape to.
   void describe(const PreparedTemplate& to) {
     const std::vector<Member*> members = present();
@@ -191,11 +206,13 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
     return std::move(member.result);
   }
   const PreparedTemplate mean(group.surface, options);
+  member.prior = group.prior;
   const TorusGrid grid = make_torus_grid(reference.shape_map.map.lattice, options.mean.grid_points);
   for (int round = 0; round < group.rounds; ++round) {
     const TorusLocator locator(member.working.mesh, member.map.map);
     const std::vector<Vec3> lifted = lift_to_surface(locator, grid.turns);
     member.to_template = rigid(fit_similarity(lifted, group.grid, ScaleMode::keep));
+    steps.place(member, mean);
     steps.again(member, mean);
   }
   steps.finish(member, mean);

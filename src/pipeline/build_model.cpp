@@ -123,6 +123,7 @@ Registrations register_together(ModelBuild& build, std::vector<InputShape> input
     result.failures.push_back(std::move(member.failure));
   }
   build.template_motion_mm = std::move(group.template_motion_mm);
+  build.unexplained_shares = std::move(group.unexplained_shares);
   build.description_lengths = std::move(group.description_lengths);
   build.group_template = std::move(group.last_template);
   return result;

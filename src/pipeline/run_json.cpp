@@ -90,7 +90,9 @@ ordered_json options_json(const RegisterGroupOptions& g) {
           {"initial_map", g.initial_map == InitialMap::torus ? "torus" : "rectangle"},
           {"edge_cost", g.edge_cost == EdgeCost::paper ? "paper" : "length_weighted"},
           {"distortion", g.distortion == DistortionMeasure::on_template ? "template" : "plane"},
-          {"bending", g.bending == Bending::smooth ? "smooth" : "rigid"},
+          {"bending", g.bending == Bending::cohort   ? "cohort"
+                      : g.bending == Bending::smooth ? "smooth"
+                                                     : "rigid"},
           {"rounds", g.round_limit},
           {"still_mm", g.still_mm},
           {"metric_updates", g.metric_updates},
@@ -193,6 +195,7 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
           {"inputs", inputs_json(build)},
           {"reference", build.shapes[static_cast<std::size_t>(build.reference)].input.stem},
           {"template_motion_mm", build.template_motion_mm},
+          {"unexplained_shares", build.unexplained_shares},
           {"description_lengths", build.description_lengths},
           {"landmarks", build.landmarks.turns.size()},
           {"landmarks_inserted", build.inserted_landmarks},

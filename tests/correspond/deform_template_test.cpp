@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <Eigen/QR>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
@@ -70,6 +71,21 @@ TEST_F(DeformTemplate, GoesOnFromAStart) {
   EXPECT_LT(rms(bent, shape.positions()), 0.15);
 }
 
+TEST_F(DeformTemplate, AKnownDirectionOfDisplacementIsKeptTo) {
+  const Mesh goal = displaced(surface, truth);
+  const Mesh shape = displaced(build_mesh(knobbly_torus_soup(83, 47)), truth);
+  // The truth among the functions, half as strong.
+  Eigen::MatrixX3d displacement(surface.vertex_count(), 3);
+  for (VertexId v : surface.vertices())
+    displacement.row(v.index) = 0.5 * (goal.position(v) - surface.position(v)).transpose();
+  const Eigen::MatrixX3d coefficients = functions.colPivHouseholderQr().solve(displacement);
+  const DisplacementPrior prior{.variance = 0.01, .directions = coefficients.reshaped()};
+  const auto error = [&](const DisplacementPrior& known) {
+    return rms(deform_template(surface, functions, shape, ctx, {}, {}, known), goal.positions());
+  };
+  EXPECT_LT(error(prior), 0.5 * error({}));
+}
+
 TEST_F(DeformTemplate, RefusesWhatDoesNotFit) {
   const std::vector<Vec3> one(1, Vec3::Zero());
   EXPECT_THROW(deform_template(surface, functions.topRows(3), surface, ctx), InvalidInput);
@@ -78,6 +94,8 @@ TEST_F(DeformTemplate, RefusesWhatDoesNotFit) {
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.noise_mm = {-1}}), InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.iterations = 0}), InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.tangential_share = 0}), InvalidInput);
+  EXPECT_THROW(deform_template(surface, functions, surface, ctx, {}, {}, {.mean = Eigen::VectorXd::Zero(1)}),
+               InvalidInput);
 }
 
 }  // namespace

@@ -131,6 +131,28 @@ TEST_F(RegisterGroup, AnotherReferenceLeadsToTheSameCorrespondence) {
   EXPECT_LT(with_mean, difference(without_mean));
 }
 
+// Shapes of one mode of variation: where a shape slides, the others say so.
+TEST_F(RegisterGroup, WhatTheOtherShapesTellBringsItNearerToTheTruth) {
+  const testing::SmoothDisplacement mode(0.6, 90, Rng(8));
+  std::vector<Mesh> shapes;
+  for (int i = 0; i < 6; ++i) {
+    Rng rng = Rng(9).fork(static_cast<std::uint64_t>(i));
+    const RigidTransform pose = testing::random_pose(rng);
+    TriangleSoup soup = knobbly_torus_soup(around, tube);
+    for (Vec3& p : soup.points) p = pose * Vec3(p + (i - 2.5) / 2.5 * (mode(p) - p));
+    shapes.push_back(build_mesh(std::move(soup)));
+  }
+  const Reference reference = map_reference(shapes[2], ctx);
+  const auto error = [&](Bending bending) {
+    RegisterGroupOptions options = small();
+    options.bending = bending;
+    const GroupRegistration group = register_group(shapes, reference, 2, ctx, options);
+    EXPECT_EQ(group.unexplained_shares.size(), bending == Bending::cohort ? 2 : 0);
+    return mean_error(shapes, group);
+  };
+  EXPECT_LT(error(Bending::cohort), 0.9 * error(Bending::smooth));
+}
+
 TEST_F(RegisterGroup, DistortionIsMeasuredWhereItIsAskedFor) {
   const std::vector<Mesh> shapes = cohort();
   const Reference reference = map_reference(shapes[0], ctx);

@@ -11,6 +11,7 @@
 #include "foramen/correspond/register_shape.hpp"
 #include "foramen/correspond/smooth_displacements.hpp"
 #include "foramen/correspond/surface_targets.hpp"
+#include "foramen/groupwise/cohort_prior.hpp"
 #include "foramen/groupwise/description_length.hpp"
 #include "foramen/groupwise/mean_template.hpp"
 
@@ -24,7 +25,9 @@ enum class DistortionMeasure {
 
 /// How the template is brought onto a shape before targets are sought on it.
 enum class Bending {
-  smooth,  ///< deform_template()
+  cohort,  ///< deform_template(); from the first round with a mean on with what the other shapes tell:
+           ///< cohort_priors()
+  smooth,  ///< deform_template(), each shape by itself
   rigid,   ///< aligned only
 };
 
@@ -38,15 +41,18 @@ struct RegisterGroupOptions {
   int iteration_limit = 200;  ///< Of each optimisation.
   TemplateOptions mean = {};
   DistortionMeasure distortion = DistortionMeasure::on_template;
-  Bending bending = Bending::smooth;
+  Bending bending = Bending::cohort;
   SmoothDisplacementOptions displacements = {};
+  CohortPriorOptions cohort = {};
   DeformTemplateOptions first = {};  ///< From the rigidly aligned template.
   DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};  ///< From the last round's.
   SurfaceTargetsOptions targets = {};
   int metric_updates =
       2;                ///< Optimisations of a map in a round, each with the metric where the last left it.
   int round_limit = 4;  ///< Of rounds with the mean as template. >= 0.
-  double still_mm = 0.15;      ///< Rounds end when the mean moves by less than this (RMS) [mm].
+  /// Rounds end when the mean moves by less than this (RMS) [mm]; with Bending::cohort after two at the
+  /// earliest.
+  double still_mm = 0.15;
   int description_rounds = 0;  ///< After those: rounds of all maps by description_length() instead. >= 0.
   DescriptionLengthOptions description = {};
 };
@@ -62,12 +68,14 @@ struct GroupTemplate {
   int rounds = 0;           ///< with a mean as template; 0: the reference was the only one, the rest is empty
   TemplateSurface surface;  ///< see MeanTemplate
   std::vector<Vec3> grid;   ///< see MeanTemplate
+  DisplacementPrior prior;  ///< of a newcomer's displacement: see CohortPriors
 };
 
 struct GroupRegistration {
   std::vector<GroupMember> members;  ///< one per shape
   GroupTemplate last_template;
   std::vector<double> template_motion_mm;   ///< RMS motion of the mean from round to round
+  std::vector<double> unexplained_shares;   ///< with Bending::cohort, of every round: see CohortPriors
   std::vector<double> description_lengths;  ///< before each of the rounds by it, and after the last
 };
 

@@ -67,6 +67,7 @@ struct ModelBuild {
   ProcrustesResult procrustes;
   ShapeModel model;
   std::vector<double> template_motion_mm;   ///< see GroupRegistration
+  std::vector<double> unexplained_shares;   ///< the same
   std::vector<double> description_lengths;  ///< the same
   GroupTemplate group_template;             ///< of Objective::surface
   std::vector<std::pair<std::string, double>> stage_seconds;

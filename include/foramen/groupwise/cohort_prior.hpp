@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// What the shapes of a cohort tell of the displacement onto one more.
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "foramen/core/mesh.hpp"
+#include "foramen/correspond/displacement_prior.hpp"
+
+namespace foramen {
+
+struct CohortPriorOptions {
+  double noise_mm = 0.25;            ///< Standard deviation of a corresponding point [mm]. > 0.
+  double independent_area_mm2 = 20;  ///< A patch of this area is one point, see DeformTemplateOptions. > 0.
+  double least_share = 0.02;  ///< Of variance that is always left to what no other shape does. In (0, 1].
+};
+
+struct CohortPriors {
+  std::vector<DisplacementPrior> of_members;  ///< each from the others
+  DisplacementPrior of_newcomer;              ///< from all
+  double unexplained_share = 1;               ///< see cohort_priors()
+};
+
+/// For every shape the distribution of its displacement as the other shapes have it: mean and covariance of
+/// the others' coefficients, plus the smooth process with its variance times the part of a shape that the
+/// others do not explain, \f$ v = \sum_i |a_i - \hat a_i|^2 / \sum_i |a_i - m_i|^2 \f$, m_i the others' mean
+/// and \f$ \hat a_i \f$ the least-squares fit of a_i by their span (and at most 1). Where shapes vary in few
+/// ways, what slides along a featureless wall slides as in the other shapes; where each is a case of its own,
+/// v is near 1 and the smooth process decides as before. Coefficients are the most probable ones given the
+/// points and the smooth process.
+///
+/// \param functions  of smooth_displacements() at the template's vertices
+/// \param corresponding  per shape, where it has the template's vertices, in the template's frame. Fewer than
+/// 3 shapes teach nothing: the smooth process for all. Throws InvalidInput for numbers that do not fit.
+CohortPriors cohort_priors(const Mesh& surface, const Eigen::MatrixXd& functions,
+                           std::span<const std::vector<Vec3>> corresponding,
+                           const CohortPriorOptions& options = {});
+
+}  // namespace foramen
