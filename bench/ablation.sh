@@ -14,7 +14,7 @@ usage: bench/ablation.sh [option VALUE ...] [COHORT ...]
   --shapes 14               of a synthetic cohort
   --vertices 10000          of a synthetic shape
   --real FOLDER             shapes without known correspondence as one more set; may be repeated
-  --variants "..."          some of: icp neighbours paper rigid plane single default description; all but paper
+  --variants "..."          some of: icp neighbours paper rigid plane single smooth default description; all but paper
   --paper                   paper too (slow)
   --landmarks 4000
   --samples 1               random shapes for specificity, which the table does not show
@@ -28,7 +28,7 @@ seeds="201 202 203"
 free_seeds="204"
 shapes=14
 vertices=10000
-variants="icp neighbours rigid plane single default description"
+variants="icp neighbours rigid plane single smooth default description"
 landmarks=4000
 samples=1
 threads=0
@@ -67,9 +67,10 @@ options_of() {
     rigid) echo "--bending rigid --rounds 0" ;;
     plane) echo "--rounds 0 --distortion plane" ;;
     single) echo "--rounds 0" ;;
+    smooth) echo "--bending smooth" ;;
     default) echo "" ;;
     description) echo "--objective description" ;;
-    *) echo "--variants: $1 is not one of icp neighbours paper rigid plane single default description" >&2; return 2 ;;
+    *) echo "--variants: $1 is not one of icp neighbours paper rigid plane single smooth default description" >&2; return 2 ;;
   esac
 }
 for variant in $variants; do options_of "$variant" >/dev/null; done
