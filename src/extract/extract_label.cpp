@@ -84,7 +84,7 @@ ExtractedSurface extract_label(const LabelMap& map, int label, const LabelExtent
   if (options.smoothing_rounds < 0 || !(options.bound_voxels > 0 && options.bound_voxels <= largest_bound))
     throw InvalidInput("smoothing needs at least 0 rounds and a bound above 0 and up to 0.5 voxels");
   if (extent.voxels <= 0) throw InvalidInput("the label map has no label " + std::to_string(label));
-  const BinaryVolume voxels = binary_volume(map, label, extent);
+  const BinaryVolume voxels = extract::binary_volume(map, label, extent);
   Reading reading = read_voxels(voxels, EdgeContact::joined, options.keep_cut);
   if (reading.genus != 1) {
     Reading apart = read_voxels(voxels, EdgeContact::apart, options.keep_cut);
@@ -106,7 +106,8 @@ ExtractedSurface extract_label(const LabelMap& map, int label, const LabelExtent
   TriangleSoup& surface = result.surface;
   surface = std::move(reading.surface);
   for (Vec3& p : surface.points) p = p.cwiseProduct(spacing);
-  extract::SmoothedSurface smoothed = smooth_surface(surface, spacing, result.voxel_volume, options);
+  extract::SmoothedSurface smoothed =
+      extract::smooth_surface(surface, spacing, result.voxel_volume, options);
   surface.points = std::move(smoothed.points);
   result.restrained = smoothed.restrained;
   result.volume = signed_volume(build_mesh(surface));

@@ -20,7 +20,9 @@ int parse_label(std::string_view number, std::string_view part) {
 }
 
 std::string text_of(int first, int last) {
-  return first == last ? std::to_string(first) : std::to_string(first) + "-" + std::to_string(last);
+  std::string text = std::to_string(first);
+  if (last != first) text.append("-").append(std::to_string(last));
+  return text;
 }
 
 }  // namespace
@@ -53,7 +55,10 @@ bool LabelSelection::named_singly(int label) const {
 
 std::string LabelSelection::text() const {
   std::string all;
-  for (const Range& r : ranges_) all += (all.empty() ? "" : ",") + text_of(r.first, r.last);
+  for (const Range& r : ranges_) {
+    if (!all.empty()) all += ",";
+    all += text_of(r.first, r.last);
+  }
   return all;
 }
 
@@ -63,7 +68,8 @@ std::string listed(const std::vector<int>& labels) {
     std::size_t end = begin + 1;
     while (end < labels.size() && labels[end] == labels[end - 1] + 1) ++end;
     if (end - begin < 3) end = begin + 1;
-    all += (all.empty() ? "" : ", ") + text_of(labels[begin], labels[end - 1]);
+    if (!all.empty()) all += ", ";
+    all += text_of(labels[begin], labels[end - 1]);
     begin = end;
   }
   return all;

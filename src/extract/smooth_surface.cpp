@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/self_intersections.hpp"
 

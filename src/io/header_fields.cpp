@@ -1,8 +1,9 @@
 #include "io/header_fields.hpp"
 
-#ifdef FORAMEN_WITH_ITK
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 namespace foramen::io_detail {
 
@@ -41,6 +42,22 @@ std::int64_t HeaderFields::integer(const std::string& key) const {
   return numbers.front();
 }
 
+std::vector<double> HeaderFields::numbers(const std::string& key, std::size_t count) const {
+  std::string plain = text(key);
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+  std::vector<double> numbers;
+  TokenCursor words(plain);
+  for (auto word = words.next(); !word.empty(); word = words.next())
+    numbers.push_back(to_number(word).value_or(std::numeric_limits<double>::quiet_NaN()));
+  const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  if (numbers.size() != count || !finite)
+    source_.refuse("its header has " + in_quotes(text(key)) + " as " + key + ", not " + std::to_string(count) +
+                       " numbers",
+                   remedy_export_again);
+  return numbers;
+}
+
 std::string header_text(const std::filesystem::path& path) {
   constexpr std::uintmax_t longest = 1U << 20U;
   std::string bytes(std::min(require_readable(path), longest), '\0');
@@ -75,4 +92,3 @@ std::filesystem::path named_data_file(const Source& source, const std::filesyste
 }
 
 }  // namespace foramen::io_detail
-#endif

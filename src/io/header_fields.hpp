@@ -25,6 +25,8 @@ class HeaderFields {
   std::string text(const std::string& key, const std::string& missing) const;
   std::int64_t integer(const std::string& key) const;
   std::vector<std::int64_t> integers(const std::string& key) const;
+  /// The numbers of a value, whatever brackets and commas stand between them; refuses another count.
+  std::vector<double> numbers(const std::string& key, std::size_t count) const;
 
  private:
   const Source& source_;
@@ -37,8 +39,8 @@ std::string header_text(const std::filesystem::path& path);
 /// The next line of a text header; refuses one so long that it is none.
 std::string_view header_line(const Source& source, LineCursor& lines);
 
-/// The data file that a header names, in the header's folder; refuses lists of files, patterns and other folders'
-/// absolute paths that do not exist.
+/// The data file that a header names, in the header's folder unless the path is absolute; refuses one that is not
+/// there, lists of files and patterns.
 std::filesystem::path named_data_file(const Source& source, const std::filesystem::path& header,
                                       const std::string& name);
 

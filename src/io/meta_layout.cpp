@@ -1,5 +1,8 @@
-#ifdef FORAMEN_WITH_ITK
+// MetaImage, https://itk.org/Wiki/MetaIO/Documentation
 #include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <string>
 
 #include "io/header_fields.hpp"
 #include "io/voxel_layout.hpp"
@@ -7,12 +10,19 @@
 namespace foramen::io_detail {
 namespace {
 
-std::int64_t bytes_of_type(const Source& source, const std::string& written) {
-  const std::string type = lower_case(written);
-  if (type == "met_char" || type == "met_uchar") return 1;
-  if (type == "met_short" || type == "met_ushort") return 2;
-  if (type == "met_int" || type == "met_uint" || type == "met_float") return 4;
-  if (type == "met_long_long" || type == "met_ulong_long" || type == "met_double") return 8;
+NumberType type_of(const Source& source, const std::string& written) {
+  static const std::map<std::string, NumberType> types{{"met_uchar", {NumberKind::unsigned_integer, 1}},
+                                                       {"met_char", {NumberKind::signed_integer, 1}},
+                                                       {"met_ushort", {NumberKind::unsigned_integer, 2}},
+                                                       {"met_short", {NumberKind::signed_integer, 2}},
+                                                       {"met_uint", {NumberKind::unsigned_integer, 4}},
+                                                       {"met_int", {NumberKind::signed_integer, 4}},
+                                                       {"met_ulong_long", {NumberKind::unsigned_integer, 8}},
+                                                       {"met_long_long", {NumberKind::signed_integer, 8}},
+                                                       {"met_float", {NumberKind::real, 4}},
+                                                       {"met_double", {NumberKind::real, 8}}};
+  const auto found = types.find(lower_case(written));
+  if (found != types.end()) return found->second;
   source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
 }
 
@@ -35,6 +45,31 @@ std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
   return static_cast<std::int64_t>(lines.offset());
 }
 
+// The first of these fields that is there; MetaImage has several names for one thing.
+std::string first_of(const HeaderFields& fields, std::initializer_list<const char*> keys) {
+  for (const char* key : keys)
+    if (fields.has(key)) return key;
+  return *keys.begin();
+}
+
+// In LPS. Without a matrix the axes are those of the space.
+void set_geometry(const HeaderFields& fields, VoxelLayout& layout) {
+  const auto spacing = fields.numbers(first_of(fields, {"elementspacing", "elementsize"}), 3);
+  const auto origin = fields.numbers(first_of(fields, {"offset", "position", "origin"}), 3);
+  layout.axes = Mat3::Identity();
+  const std::string matrix = first_of(fields, {"transformmatrix", "rotation", "orientation"});
+  if (fields.has(matrix)) {
+    const auto entries = fields.numbers(matrix, 9);
+    for (int axis = 0; axis < 3; ++axis)
+      for (int row = 0; row < 3; ++row)
+        layout.axes(row, axis) = entries[static_cast<std::size_t>(3 * axis + row)];
+  }
+  for (int d = 0; d < 3; ++d) {
+    layout.axes.col(d) *= spacing[static_cast<std::size_t>(d)];
+    layout.origin[d] = origin[static_cast<std::size_t>(d)];
+  }
+}
+
 }  // namespace
 
 VoxelLayout meta_layout(const std::filesystem::path& path) {
@@ -55,7 +90,10 @@ VoxelLayout meta_layout(const std::filesystem::path& path) {
   const auto sizes = fields.integers("dimsize");
   if (sizes.size() != 3) source.refuse("its header has not three sizes", remedy_export_again);
   std::copy(sizes.begin(), sizes.end(), layout.size.begin());
-  layout.voxel_bytes = bytes_of_type(source, fields.text("elementtype"));
+  layout.type = type_of(source, fields.text("elementtype"));
+  const std::string order = first_of(fields, {"binarydatabyteordermsb", "elementbyteordermsb"});
+  layout.order = is_true(fields.text(order, "False")) ? ByteOrder::big : ByteOrder::little;
+  set_geometry(fields, layout);
   if (!is_true(fields.text("binarydata", "False")))
     source.refuse("its voxels are written as text", "save it as binary data");
   if (fields.has("headersize") && fields.integer("headersize") != 0)
@@ -66,18 +104,8 @@ VoxelLayout meta_layout(const std::filesystem::path& path) {
     layout.offset = 0;
   }
   if (!is_true(fields.text("compresseddata", "False"))) return layout;
-  layout.packing = VoxelLayout::Packing::from_offset;
-  const auto packed =
-      static_cast<std::int64_t>(std::filesystem::file_size(layout.data_file)) - layout.offset;
-  if (fields.has("compresseddatasize")) {
-    const auto promised = fields.integer("compresseddatasize");
-    if (promised < 0 || promised > packed)
-      source.refuse("its header promises " + std::to_string(promised) + " compressed bytes, but " +
-                        std::to_string(packed) + " follow",
-                    remedy_export_again);
-  }
+  layout.packing = ByteStream::Packing::deflate;
   return layout;
 }
 
 }  // namespace foramen::io_detail
-#endif

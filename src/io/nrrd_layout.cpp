@@ -1,4 +1,4 @@
-#ifdef FORAMEN_WITH_ITK
+// NRRD, https://teem.sourceforge.net/nrrd/format.html
 #include <algorithm>
 #include <array>
 
@@ -9,25 +9,28 @@ namespace foramen::io_detail {
 namespace {
 
 struct TypeNames {
-  std::int64_t bytes;
-  std::array<const char*, 8> names;
+  NumberType type;
+  std::array<std::string_view, 7> names;
 };
-constexpr std::array<TypeNames, 8> types{{
-    {1, {"signed char", "int8", "int8_t", "uchar", "unsigned char", "uint8", "uint8_t", ""}},
-    {2, {"short", "short int", "signed short", "signed short int", "int16", "int16_t", "", ""}},
-    {2, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t", "", "", ""}},
-    {4, {"int", "signed int", "int32", "int32_t", "uint", "unsigned int", "uint32", "uint32_t"}},
-    {8, {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t", ""}},
-    {8, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t", "", "", ""}},
-    {4, {"float", "", "", "", "", "", "", ""}},
-    {8, {"double", "", "", "", "", "", "", ""}},
+constexpr NumberKind plain = NumberKind::unsigned_integer, with_sign = NumberKind::signed_integer;
+constexpr std::array<TypeNames, 10> types{{
+    {{plain, 1}, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+    {{with_sign, 1}, {"signed char", "int8", "int8_t"}},
+    {{plain, 2}, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+    {{with_sign, 2}, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+    {{plain, 4}, {"uint", "unsigned int", "uint32", "uint32_t"}},
+    {{with_sign, 4}, {"int", "signed int", "int32", "int32_t"}},
+    {{plain, 8}, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+    {{with_sign, 8},
+     {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+    {{NumberKind::real, 4}, {"float"}},
+    {{NumberKind::real, 8}, {"double"}},
 }};
 
-std::int64_t bytes_of_type(const Source& source, const std::string& written) {
+NumberType type_of(const Source& source, const std::string& written) {
   const std::string type = lower_case(written);
   for (const TypeNames& t : types)
-    for (const char* known : t.names)
-      if (!type.empty() && type == known) return t.bytes;
+    if (!type.empty() && std::find(t.names.begin(), t.names.end(), type) != t.names.end()) return t.type;
   source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
 }
 
@@ -68,6 +71,33 @@ void require_millimetres(const Source& source, const HeaderFields& fields) {
   }
 }
 
+// Signs that turn the axes of the header's space to left, posterior, superior.
+Vec3 lps_signs(const Source& source, const HeaderFields& fields) {
+  const std::string space = lower_case(fields.text("space", ""));
+  if (space == "left-posterior-superior" || space == "lps") return {1, 1, 1};
+  if (space == "right-anterior-superior" || space == "ras") return {-1, -1, 1};
+  if (space == "left-anterior-superior" || space == "las") return {1, -1, 1};
+  source.refuse(space.empty() ? "does not say how it is oriented (no space)" : "its space is " + in_quotes(space),
+                "save it with its orientation in left-posterior-superior or right-anterior-superior");
+}
+
+void set_geometry(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
+  const Vec3 signs = lps_signs(source, fields);
+  const auto directions = fields.numbers("spacedirections", 9), origin = fields.numbers("spaceorigin", 3);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int row = 0; row < 3; ++row)
+      layout.axes(row, axis) = signs[row] * directions[static_cast<std::size_t>(3 * axis + row)];
+  for (int row = 0; row < 3; ++row) layout.origin[row] = signs[row] * origin[static_cast<std::size_t>(row)];
+}
+
+ByteOrder byte_order(const Source& source, const HeaderFields& fields, const NumberType& type) {
+  if (type.bytes == 1) return ByteOrder::little;
+  const std::string endian = lower_case(fields.text("endian"));
+  if (endian == "little") return ByteOrder::little;
+  if (endian == "big") return ByteOrder::big;
+  source.refuse("its header has " + in_quotes(endian) + " as endian", remedy_export_again);
+}
+
 }  // namespace
 
 VoxelLayout nrrd_layout(const std::filesystem::path& path) {
@@ -84,11 +114,13 @@ VoxelLayout nrrd_layout(const std::filesystem::path& path) {
   const auto sizes = fields.integers("sizes");
   if (sizes.size() != 3) source.refuse("its header has not three sizes", remedy_export_again);
   std::copy(sizes.begin(), sizes.end(), layout.size.begin());
-  layout.voxel_bytes = bytes_of_type(source, fields.text("type"));
+  layout.type = type_of(source, fields.text("type"));
+  layout.order = byte_order(source, fields, layout.type);
   require_millimetres(source, fields);
+  set_geometry(source, fields, layout);
   const std::string encoding = lower_case(fields.text("encoding"));
   if (encoding == "gzip" || encoding == "gz")
-    layout.packing = VoxelLayout::Packing::from_offset;
+    layout.packing = ByteStream::Packing::deflate;
   else if (encoding != "raw")
     source.refuse("its voxels are encoded as " + in_quotes(encoding), "save it with the encoding gzip or raw");
   for (const char* skip : {"lineskip", "byteskip"})
@@ -103,4 +135,3 @@ VoxelLayout nrrd_layout(const std::filesystem::path& path) {
 }
 
 }  // namespace foramen::io_detail
-#endif

@@ -1,24 +1,34 @@
 #pragma once
 /// \file
-/// Private to io: gzip and zlib streams in files.
+/// Private to io: the bytes of a file, unpacked on the way where they are compressed.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <string>
+#include <memory>
 
 namespace foramen::io_detail {
 
-/// The first bytes of a file, at most `count`; unpacked if it is a gzip file. Throws IoError if it is no
-/// regular file, empty or cannot be read.
-std::string first_bytes(const std::filesystem::path& path, std::size_t count);
+/// Reads from a byte of a file on; a gzip or zlib stream that begins there is unpacked. Takes no memory that
+/// depends on the file.
+class ByteStream {
+ public:
+  enum class Packing { none, deflate };
+  /// Throws IoError if the file cannot be opened.
+  ByteStream(const std::filesystem::path& path, std::int64_t offset, Packing packing);
+  ~ByteStream();
+  ByteStream(const ByteStream&) = delete;
+  ByteStream& operator=(const ByteStream&) = delete;
 
-struct UnpackedSize {
-  std::int64_t bytes = 0;
-  bool intact = false;  ///< ends as such a stream should, with the right checksum; or goes on beyond the limit
+  /// The next bytes, at most `count`; fewer at the end, and where a compressed stream is damaged.
+  std::size_t read(char* out, std::size_t count);
+  /// A compressed stream does not end as it should (cut off, or another checksum than its bytes have), as far as it
+  /// has been read.
+  bool damaged() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
 };
-
-/// How many bytes the gzip or zlib stream from `offset` to the end of the file unpacks to, counted a little
-/// beyond `limit` at most. Takes no memory that depends on the file.
-UnpackedSize unpacked_size(const std::filesystem::path& path, std::int64_t offset, std::int64_t limit);
 
 }  // namespace foramen::io_detail

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Label maps on disk: NIfTI, NRRD and MetaImage, through ITK where it was found.
+/// Label maps on disk: NIfTI-1, NRRD and MetaImage.
 
 #include <array>
 #include <cstdint>
@@ -30,16 +30,17 @@ struct LabelMap {
 
 /// Whether the name is that of a label map: ends with one of label_map_extensions(), in any case.
 bool is_label_map(const std::filesystem::path& path);
-/// .nii .nii.gz .nrrd .nhdr .mha .mhd, whether or not this build can read them.
+/// .nii .nii.gz .nrrd .nhdr .mha .mhd
 const std::vector<std::string>& label_map_extensions();
 /// The file name without such an extension.
 std::string label_map_stem(const std::filesystem::path& path);
 
-/// Reads one 3-D image of whole numbers 0 .. 65535, stored as integers or floats. Before any memory is taken
-/// for voxels the header is compared with the bytes that there are. Throws IoError naming the file, what was
-/// found and what to do: a header that promises more than the file holds, a file cut off, more or fewer than
-/// three dimensions, colours or vectors, numbers that are no labels (not whole, negative: an image), no ITK in
-/// this build.
+/// Reads one 3-D image of whole numbers 0 .. 65535, stored as integers or floats, in any orientation: NIfTI by
+/// its sform if it has one, else its qform; NRRD in LPS, RAS or LAS space; MetaImage in LPS. No memory is taken
+/// for what a header promises, only for what the file holds. Throws IoError naming the file, what was found and
+/// what to do: a header that promises more than the file holds, a file cut off or damaged, other than three
+/// dimensions, colours or vectors, axes not at right angles, no orientation, numbers that are no labels (not
+/// whole, negative: an image).
 LabelMap read_label_map(const std::filesystem::path& path);
 
 }  // namespace foramen
