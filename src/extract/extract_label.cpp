@@ -94,26 +94,26 @@ ExtractedSurface extract_label(const LabelMap& map, int label, const LabelExtent
   const BinaryVolume& volume = reading.volume;
   const Vec3 spacing = volume.spacing();
   ExtractedSurface result;
-  result.genus = reading.genus;
-  result.contact = reading.contact;
-  result.components = reading.cleaning.components;
-  result.voxels = reading.cleaning.kept_voxels + reading.cleaning.filled_voxels;
-  result.lost_voxels = reading.cleaning.lost_voxels;
-  result.filled_voxels = reading.cleaning.filled_voxels;
-  result.cut_at = reading.cleaning.cut_at;
-  result.voxel_volume = static_cast<double>(result.voxels) * spacing.prod();
+  ExtractionReport& report = result.report;
+  report.genus = reading.genus;
+  report.contact = reading.contact;
+  report.components = reading.cleaning.components;
+  report.voxels = reading.cleaning.kept_voxels + reading.cleaning.filled_voxels;
+  report.lost_voxels = reading.cleaning.lost_voxels;
+  report.filled_voxels = reading.cleaning.filled_voxels;
+  report.cut_at = reading.cleaning.cut_at;
+  report.voxel_volume = static_cast<double>(report.voxels) * spacing.prod();
 
   TriangleSoup& surface = result.surface;
   surface = std::move(reading.surface);
   for (Vec3& p : surface.points) p = p.cwiseProduct(spacing);
-  extract::SmoothedSurface smoothed =
-      extract::smooth_surface(surface, spacing, result.voxel_volume, options);
+  extract::SmoothedSurface smoothed = extract::smooth_surface(surface, spacing, report.voxel_volume, options);
   surface.points = std::move(smoothed.points);
-  result.restrained = smoothed.restrained;
-  result.volume = signed_volume(build_mesh(surface));
+  report.restrained = smoothed.restrained;
+  report.volume = signed_volume(build_mesh(surface));
   const TriangleSoup boundary = voxel_boundary(volume);
-  result.deviation_mm = deviation(surface, boundary, Vec3::Ones(), spacing);
-  result.deviation = deviation(surface, boundary, spacing.cwiseInverse(), Vec3::Ones());
+  report.deviation_mm = deviation(surface, boundary, Vec3::Ones(), spacing);
+  report.deviation = deviation(surface, boundary, spacing.cwiseInverse(), Vec3::Ones());
 
   for (Vec3& p : surface.points) p = volume.origin + volume.axes * p.cwiseQuotient(spacing);
   if (volume.axes.determinant() < 0)
