@@ -1,5 +1,6 @@
 #include "build_options.hpp"
 #include "foramen/pipeline/run_build.hpp"
+#include "label_options.hpp"
 
 namespace foramen::app {
 namespace {
@@ -11,6 +12,8 @@ constexpr int description_rounds = 3;
 struct BuildCommand {
   BuildFlags flags;
   BuildOptions build;  // as the flags have it
+  LabelFlags label_flags;
+  std::optional<LabelRequest> labels;  // the same
   std::vector<std::string> inputs;
   std::string output;
   std::string truth;
@@ -24,6 +27,7 @@ int build(const BuildCommand& command) {
   for (const std::string& input : command.inputs) request.inputs.emplace_back(input);
   request.output = command.output;
   request.unit = command.unit;
+  request.labels = command.labels;
   request.truth = command.truth;
   request.build = command.build;
   request.evaluation = command.flags.evaluation;
@@ -33,7 +37,8 @@ int build(const BuildCommand& command) {
   return finish_build(request, command.console, command.strict);
 }
 
-// The command as it is recorded: what decides the result, and nothing else.
+}  // namespace
+
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
   static const std::vector<std::string> without{"--output", "--truth", "--threads", "--json",
                                                 "--quiet",  "inputs",  "--help"};
@@ -46,12 +51,11 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
     if (option->count() == 0 || std::find(without.begin(), without.end(), shown) != without.end()) continue;
     text += " " + shown;
     if (option->get_type_size() > 0)
-      for (const std::string& value : option->results()) text += " " + value;
+      for (const std::string& value : option->results())
+        text += " " + (shown == "--label-names" ? fs::path(value).filename().string() : value);
   }
   return text;
 }
-
-}  // namespace
 
 void BuildFlags::add_to(CLI::App& command) {
   add_choice<Method>(command, "--method", build.method, {{"torus", Method::torus}, {"icp", Method::icp}},
@@ -135,7 +139,7 @@ BuildOptions BuildFlags::resolved() const {
 int finish_build(const BuildRequest& request, const Console& console, bool strict) {
   const BuildSummary summary = run_build(request, console.context());
   for (const LeftOut& shape : summary.left_out)
-    console.warn("left out " + shape.file_name + ": " + shape.reason);
+    console.warn("left out " + source_of(shape) + ": " + shape.reason);
   for (const std::string& note : summary.notes) console.warn(note);
   if (console.json)
     std::cout << summary.json << '\n';
@@ -147,8 +151,8 @@ int finish_build(const BuildRequest& request, const Console& console, bool stric
 void add_build(CLI::App& program, Run& run) {
   auto options = std::make_shared<BuildCommand>();
   CLI::App* command = program.add_subcommand(
-      "build", "a statistical shape model from surfaces, with its evaluation and report");
-  command->add_option("inputs", options->inputs, "mesh files or folders of them")->required();
+      "build", "a statistical shape model from surfaces or label maps, with its evaluation and report");
+  command->add_option("inputs", options->inputs, "mesh files, label maps, or folders of them")->required();
   command->add_option("-o,--output", options->output, "folder of the model")->required();
   options->flags.add_to(*command);
   add_choice<LengthUnit>(*command, "--units", options->unit,
@@ -156,7 +160,8 @@ void add_build(CLI::App& program, Run& run) {
                           {"cm", LengthUnit::centimetre},
                           {"m", LengthUnit::metre},
                           {"um", LengthUnit::micrometre}},
-                         "unit of the input files");
+                         "unit of the mesh files; label maps are in mm");
+  options->label_flags.add_to(*command);
   command
       ->add_option("--truth", options->truth,
                    "folder of the true correspondence, by the same names: measures the landmarks by it")
@@ -168,6 +173,7 @@ void add_build(CLI::App& program, Run& run) {
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {
     options->build = options->flags.resolved();
+    options->labels = options->label_flags.resolved();
     options->console.command = canonical_command(*command, options->inputs);
     run = [options] { return build(*options); };
   });

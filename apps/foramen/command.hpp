@@ -49,12 +49,16 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& val
 /// Adds --threads, --json, --quiet.
 void add_console_options(CLI::App& command, Console& console);
 
+/// The command as it is recorded: what decides the result, and nothing else. Files by their base names.
+std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs);
+
 /// Each registers one sub-command whose work is left in `run`.
 using Run = std::function<int()>;
 void add_build(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_demo(CLI::App& program, Run& run);
 void add_evaluate(CLI::App& program, Run& run);
+void add_extract(CLI::App& program, Run& run);
 void add_inspect(CLI::App& program, Run& run);
 void add_modes(CLI::App& program, Run& run);
 void add_render(CLI::App& program, Run& run);

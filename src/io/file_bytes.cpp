@@ -31,7 +31,7 @@ void Source::refuse(const std::string& found, const std::string& remedy) const {
   throw IoError(name + ": " + found + "; " + remedy);
 }
 
-std::string read_bytes(const std::filesystem::path& path) {
+std::uintmax_t require_readable(const std::filesystem::path& path) {
   const Source source{path.string(), {}};
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
@@ -42,6 +42,12 @@ std::string read_bytes(const std::filesystem::path& path) {
   const auto size = std::filesystem::file_size(path, error);
   if (error) source.refuse("its size cannot be read (" + error.message() + ")", "check the permissions");
   if (size == 0) source.refuse("is empty", remedy_export_again);
+  return size;
+}
+
+std::string read_bytes(const std::filesystem::path& path) {
+  const Source source{path.string(), {}};
+  const auto size = require_readable(path);
   std::ifstream in(path, std::ios::binary);
   if (!in)
     source.refuse("cannot be opened (" + std::generic_category().message(errno) + ")",

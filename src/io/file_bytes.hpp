@@ -24,6 +24,9 @@ struct Source {
   [[noreturn]] void refuse(const std::string& found, const std::string& remedy) const;
 };
 
+/// The size of a file. Throws IoError if it is not a regular file or is empty.
+std::uintmax_t require_readable(const std::filesystem::path& path);
+
 /// The whole file. Throws IoError if it is not a regular file, cannot be read or is empty.
 std::string read_bytes(const std::filesystem::path& path);
 

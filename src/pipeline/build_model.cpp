@@ -45,14 +45,14 @@ void require_enough(const std::vector<LeftOut>& left_out, std::size_t usable) {
   if (usable >= fewest_shapes) return;
   std::string message = "a model needs at least " + std::to_string(fewest_shapes) + " usable shapes, found " +
                         std::to_string(usable);
-  for (const LeftOut& shape : left_out) message += "\n  left out " + shape.file_name + ": " + shape.reason;
+  for (const LeftOut& shape : left_out) message += "\n  left out " + source_of(shape) + ": " + shape.reason;
   throw InvalidInput(message);
 }
 
 int find_reference(const std::vector<InputShape>& shapes, const std::string& name) {
   if (name == "auto") return choose_reference(shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    if (shapes[i].stem == name || shapes[i].file_name == name) return static_cast<int>(i);
+    if (shapes[i].stem == name || source_of(shapes[i]) == name) return static_cast<int>(i);
   throw InvalidInput("--reference " + name + ": no usable input has this name");
 }
 
@@ -136,14 +136,14 @@ void register_all(ModelBuild& build, std::vector<InputShape> inputs, int referen
       (registered_together(options) ? register_together(build, std::move(inputs), reference, options, ctx)
                                     : register_each(build, std::move(inputs), reference, options, ctx));
   if (!failures[static_cast<std::size_t>(reference)].empty())
-    throw ConvergenceError("the reference " + outcomes[static_cast<std::size_t>(reference)].input.file_name +
+    throw ConvergenceError("the reference " + source_of(outcomes[static_cast<std::size_t>(reference)].input) +
                            " cannot be registered with the mean of all shapes (" +
                            failures[static_cast<std::size_t>(reference)] +
                            "); name another with --reference");
   for (std::size_t k = 0; k < outcomes.size(); ++k) {
     InputShape& input = outcomes[k].input;
     if (!failures[k].empty()) {
-      build.left_out.push_back({input.stem, input.file_name, input.sha256, failures[k]});
+      build.left_out.push_back({input.stem, input.file_name, input.sha256, failures[k], input.label});
       continue;
     }
     if (static_cast<int>(k) == reference) {

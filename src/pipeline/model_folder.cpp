@@ -60,7 +60,7 @@ StatismoModel statismo_model(const ModelBuild& build, const std::string& command
   file.variance = model.variance();
   file.landmark_weights = build.model.weights();
   file.scores = scores_of(model, aligned_shapes(build));
-  for (const ShapeOutcome& shape : build.shapes) file.shape_uris.push_back(shape.input.file_name);
+  for (const ShapeOutcome& shape : build.shapes) file.shape_uris.push_back(source_of(shape.input));
   file.build_time = build_time();
   file.parameters = {{"command", command}};
   return file;

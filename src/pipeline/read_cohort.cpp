@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <variant>
@@ -26,17 +28,36 @@ bool is_mesh_file(const fs::path& path) {
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += " " + word;
+  return text;
+}
+
+// Files that a folder may stand for.
+struct Kind {
+  const char* what;
+  bool meshes, label_maps;
+  bool includes(const fs::path& path) const {
+    return (meshes && is_mesh_file(path)) || (label_maps && is_label_map(path));
+  }
+  std::string extensions() const {
+    return (meshes ? joined(mesh_extensions()) : "") + (label_maps ? joined(label_map_extensions()) : "");
+  }
+};
+constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
+    shape_files{"mesh file and no label map", true, true};
+
 // std::filesystem reports through std::filesystem_error, which names no remedy.
-std::vector<fs::path> meshes_in_folder(const fs::path& folder) {
+std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
   std::error_code failed;
   std::vector<fs::path> found;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    if (entry->is_regular_file() && is_mesh_file(entry->path())) found.push_back(entry->path());
+    if (entry->is_regular_file() && kind.includes(entry->path())) found.push_back(entry->path());
   if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
   if (found.empty()) {
-    std::string known;
-    for (const auto& extension : mesh_extensions()) known += " " + extension;
-    throw InvalidInput(folder.string() + ": the folder holds no mesh file (looked for" + known + ")");
+    throw InvalidInput(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
+                       kind.extensions() + ")");
   }
   return found;
 }
@@ -48,12 +69,14 @@ std::string millimetres(double value) {
   return text.str();
 }
 
-void require_plausible_size(double diagonal, LengthUnit unit) {
+void require_plausible_size(double diagonal, LengthUnit unit, bool unit_is_known) {
   const double mm = diagonal * millimetres_per(unit);
   if (mm >= smallest_diagonal_mm && mm <= largest_diagonal_mm) return;
   std::string message =
       "the bounding box has a diagonal of " + millimetres(mm) + " mm; a vertebra has 20 to 250 mm";
-  if (const auto likely = likely_unit(diagonal))
+  if (unit_is_known)
+    message += ": a part of one, or more than one";
+  else if (const auto likely = likely_unit(diagonal))
     message += ": the file is probably in " + std::string(name(*likely)) + ", give --units " +
                std::string(name(*likely));
   else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm &&
@@ -62,13 +85,17 @@ void require_plausible_size(double diagonal, LengthUnit unit) {
   throw InvalidInput(message);
 }
 
-}  // namespace
+// What names a file's shapes: equal ones clash. A label map's shapes have longer names than it.
+std::pair<std::string, bool> stem_of(const fs::path& file) {
+  const bool label_map = is_label_map(file);
+  return {label_map ? label_map_stem(file) : file.stem().string(), label_map};
+}
 
-std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
+std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind& kind) {
   std::vector<fs::path> files;
   for (const fs::path& input : inputs) {
     if (fs::is_directory(input)) {
-      const auto found = meshes_in_folder(input);
+      const auto found = files_in_folder(input, kind);
       files.insert(files.end(), found.begin(), found.end());
     } else if (fs::exists(input)) {
       files.push_back(input);
@@ -77,42 +104,22 @@ std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
     }
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return std::pair(a.stem(), a) < std::pair(b.stem(), b);
+    return std::pair(stem_of(a), a) < std::pair(stem_of(b), b);
   });
   files.erase(std::unique(files.begin(), files.end()), files.end());
   for (std::size_t i = 1; i < files.size(); ++i)
-    if (files[i].stem() == files[i - 1].stem())
+    if (stem_of(files[i]) == stem_of(files[i - 1]))
       throw InvalidInput(
           files[i - 1].string() + " and " + files[i].string() +
           " have the same name without extension, which would name two shapes alike: rename one");
   return files;
 }
 
-InputShape read_shape(const fs::path& file, LengthUnit unit) {
-  InputShape shape;
-  shape.stem = file.stem().string();
-  shape.file_name = file.filename().string();
-  MeshFile read = read_mesh(file);
-  shape.sha256 = sha256_of_file(file);
-  shape.space = read.space.value_or(AnatomicalSpace::lps);
-  const MeshReport report = inspect_mesh(read.soup);
-  if (const auto obstacle = obstacle_to_model(report))
-    throw TopologyError(file.string() + ": " + obstacle->finding + "; " + obstacle->remedy);
-  try {
-    require_plausible_size(report.box.diagonal(), unit);
-  } catch (const InvalidInput& e) {
-    throw InvalidInput(file.string() + ": " + e.what());
-  }
-  const double scale = millimetres_per(unit);
-  if (unit != LengthUnit::millimetre)
-    for (Vec3& p : read.soup.points) p *= scale;
-  shape.mesh = build_mesh(std::move(read.soup));
-  shape.was_inward = report.inward;
-  if (shape.was_inward) shape.mesh = reversed(shape.mesh);
-  return shape;
+std::string source_text(const std::string& file_name, std::optional<int> label) {
+  return label ? file_name + ", label " + std::to_string(*label) : file_name;
 }
 
-Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx) {
+void read_meshes(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx, Cohort& cohort) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
     const fs::path& file = files[static_cast<std::size_t>(i)];
@@ -125,13 +132,139 @@ Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const Ru
       result = LeftOut{file.stem().string(), file.filename().string(), {}, e.what()};
     }
   });
-  Cohort cohort;
   for (auto& result : results) {
     if (auto* shape = std::get_if<InputShape>(&result))
       cohort.shapes.push_back(std::move(*shape));
     else
       cohort.left_out.push_back(std::get<LeftOut>(std::move(result)));
   }
+}
+
+// Adds the labels of one label map after the other to a cohort, so that one at a time is in memory.
+class LabelMapReader {
+ public:
+  LabelMapReader(const LabelRequest& request, Cohort& cohort) : request_(request), cohort_(cohort) {}
+
+  void read(const fs::path& file, const RunContext& ctx) {
+    const std::string name = file.filename().string();
+    LabelSurfaces labels;
+    try {
+      labels = extract_labels(file, request_, ctx);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      cohort_.left_out.push_back({label_map_stem(file), name, {}, e.what()});
+      return;
+    }
+    for (const RefusedLabel& refused : labels.refused) {
+      cohort_.left_out.push_back({refused.stem, name, labels.sha256, refused.reason, refused.label});
+      if (refused.absent) absent_.emplace(refused.label, file.string() + ": " + refused.reason);
+    }
+    for (LabelSurface& label : labels.surfaces) {
+      present_.insert(label.label);
+      add(name, labels.sha256, label);
+    }
+    for (const RefusedLabel& refused : labels.refused)
+      if (!refused.absent) present_.insert(refused.label);
+    cohort_.notes.insert(cohort_.notes.end(), labels.notes.begin(), labels.notes.end());
+  }
+
+  // A label that was named singly and is nowhere is a mistake of the command.
+  void require_singles() const {
+    for (const auto& [label, reason] : absent_)
+      if (!present_.contains(label)) throw InvalidInput("--labels " + std::to_string(label) + ": " + reason);
+  }
+
+ private:
+  void add(const std::string& file_name, const std::string& sha256, LabelSurface& label) {
+    InputShape shape;
+    shape.stem = label.stem;
+    shape.file_name = file_name;
+    shape.sha256 = sha256;
+    shape.label = label.label;
+    shape.extraction = label.extracted.report;
+    try {
+      cohort_.shapes.push_back(
+          usable_shape(std::move(shape), std::move(label.extracted.surface), LengthUnit::millimetre));
+    } catch (const InvalidInput& e) {
+      cohort_.left_out.push_back({label.stem, file_name, sha256, e.what(), label.label});
+    }
+  }
+
+  const LabelRequest& request_;
+  Cohort& cohort_;
+  std::map<int, std::string> absent_;
+  std::set<int> present_;
+};
+
+}  // namespace
+
+std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
+  return find_files(inputs, meshes_only);
+}
+
+std::vector<fs::path> find_shape_files(const std::vector<fs::path>& inputs) {
+  return find_files(inputs, shape_files);
+}
+
+std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
+  return find_files(inputs, label_maps_only);
+}
+
+std::string source_of(const InputShape& shape) { return source_text(shape.file_name, shape.label); }
+std::string source_of(const LeftOut& shape) { return source_text(shape.file_name, shape.label); }
+
+InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit) {
+  const MeshReport report = inspect_mesh(surface);
+  if (const auto obstacle = obstacle_to_model(report))
+    throw TopologyError(obstacle->finding + "; " + obstacle->remedy);
+  require_plausible_size(report.box.diagonal(), unit, shape.label.has_value());
+  const double scale = millimetres_per(unit);
+  if (unit != LengthUnit::millimetre)
+    for (Vec3& p : surface.points) p *= scale;
+  shape.mesh = build_mesh(std::move(surface));
+  shape.was_inward = report.inward;
+  if (shape.was_inward) shape.mesh = reversed(shape.mesh);
+  return shape;
+}
+
+InputShape read_shape(const fs::path& file, LengthUnit unit) {
+  InputShape shape;
+  shape.stem = file.stem().string();
+  shape.file_name = file.filename().string();
+  MeshFile read = read_mesh(file);
+  shape.sha256 = sha256_of_file(file);
+  shape.space = read.space.value_or(AnatomicalSpace::lps);
+  try {
+    return usable_shape(std::move(shape), std::move(read.soup), unit);
+  } catch (const TopologyError& e) {
+    throw TopologyError(file.string() + ": " + e.what());
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(file.string() + ": " + e.what());
+  }
+}
+
+Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx,
+                   const LabelRequest& labels) {
+  Cohort cohort;
+  std::vector<fs::path> meshes;
+  LabelMapReader label_maps(labels, cohort);
+  for (const fs::path& file : files) {
+    if (is_label_map(file))
+      label_maps.read(file, ctx);
+    else
+      meshes.push_back(file);
+  }
+  label_maps.require_singles();
+  read_meshes(meshes, unit, ctx, cohort);
+  const auto by_stem = [](const auto& a, const auto& b) { return a.stem < b.stem; };
+  std::stable_sort(cohort.shapes.begin(), cohort.shapes.end(), by_stem);
+  std::stable_sort(cohort.left_out.begin(), cohort.left_out.end(), by_stem);
+  for (std::size_t i = 1; i < cohort.shapes.size(); ++i)
+    if (cohort.shapes[i].stem == cohort.shapes[i - 1].stem)
+      throw InvalidInput(source_of(cohort.shapes[i - 1]) + " and " + source_of(cohort.shapes[i]) +
+                         " would both be named " + cohort.shapes[i].stem +
+                         ": leave one out or rename its file");
   return cohort;
 }
 

@@ -87,7 +87,7 @@ std::vector<std::string> notes_on(const ModelBuild& build, const Evaluation& eva
   std::vector<std::string> notes;
   for (const ShapeOutcome& shape : build.shapes)
     if (shape.input.was_inward)
-      notes.push_back(shape.input.file_name + ": triangles were wound inward; reversed");
+      notes.push_back(source_of(shape.input) + ": triangles were wound inward; reversed");
   if (build.remaining_flips > 0)
     notes.push_back(std::to_string(build.remaining_flips) +
                     " landmark triangles are flipped or degenerate on some shape and could not be mended "
@@ -113,10 +113,14 @@ std::string subject_of(const std::string& stem, const std::string& pattern) {
 BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const auto start = std::chrono::steady_clock::now();
   if (!request.subject_pattern.empty()) subject_of("", request.subject_pattern);
-  const auto files = find_meshes(request.inputs);
+  const auto files = find_shape_files(request.inputs);
+  if (request.labels && std::none_of(files.begin(), files.end(), is_label_map))
+    throw InvalidInput("there is no label map among the inputs: leave out the options for label maps");
   prepare_folder(request.output);
   ctx.step("read", 0);
-  ModelBuild build = build_model(read_cohort(files, request.unit, ctx), request.build, ctx);
+  Cohort read = read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}));
+  const std::vector<std::string> reading_notes = std::move(read.notes);
+  ModelBuild build = build_model(std::move(read), request.build, ctx);
 
   const CorrespondingCohort cohort = corresponding_cohort(build, request.subject_pattern);
   EvaluationOptions evaluation_options = request.evaluation;
@@ -140,7 +144,9 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
 
   BuildSummary summary;
   summary.left_out = build.left_out;
-  summary.notes = notes_on(build, evaluation);
+  summary.notes = reading_notes;
+  const auto building_notes = notes_on(build, evaluation);
+  summary.notes.insert(summary.notes.end(), building_notes.begin(), building_notes.end());
   summary.text = model_summary(run, evaluation);
   summary.json = run.dump(2);
   return summary;

@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "foramen/pipeline/version.hpp"
 
 namespace foramen {
@@ -56,13 +58,19 @@ ordered_json shape_json(const ModelBuild& build, std::size_t i, const Evaluation
 
 ordered_json inputs_json(const ModelBuild& build) {
   ordered_json inputs = ordered_json::array();
-  for (const ShapeOutcome& shape : build.shapes)
+  for (const ShapeOutcome& shape : build.shapes) {
     inputs.push_back({{"file", shape.input.file_name},
                       {"sha256", shape.input.sha256},
                       {"vertices", shape.input.mesh.vertex_count()},
                       {"triangles", shape.input.mesh.face_count()}});
-  for (const LeftOut& shape : build.left_out)
+    if (!shape.input.label) continue;
+    inputs.back()["label"] = *shape.input.label;
+    inputs.back()["extraction"] = extraction_json(shape.input.extraction);
+  }
+  for (const LeftOut& shape : build.left_out) {
     inputs.push_back({{"file", shape.file_name}, {"sha256", shape.sha256}});
+    if (shape.label) inputs.back()["label"] = *shape.label;
+  }
   return inputs;
 }
 
@@ -143,6 +151,28 @@ ordered_json lambda_json(const BuildOptions& options) {
 
 }  // namespace
 
+ordered_json extraction_json(const ExtractionReport& r) {
+  return {{"genus", r.genus},
+          {"edge_contacts", r.contact == EdgeContact::joined ? "joined" : "apart"},
+          {"components", r.components},
+          {"voxels", r.voxels},
+          {"voxels_left_out", r.lost_voxels},
+          {"voxels_filled", r.filled_voxels},
+          {"cut_at", r.cut_at},
+          {"voxel_volume_mm3", r.voxel_volume},
+          {"volume_mm3", r.volume},
+          {"deviation_voxels", {{"p95", r.deviation.p95}, {"largest", r.deviation.hausdorff}}},
+          {"deviation_mm", {{"p95", r.deviation_mm.p95}, {"largest", r.deviation_mm.hausdorff}}},
+          {"vertices_restrained", r.restrained}};
+}
+
+ordered_json label_options_json(const LabelRequest& request) {
+  return {{"labels", request.labels ? ordered_json(request.labels->text()) : ordered_json()},
+          {"keep_cut", request.surface.keep_cut},
+          {"smoothing_rounds", request.surface.smoothing_rounds},
+          {"bound_voxels", request.surface.bound_voxels}};
+}
+
 double peak_memory_mb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -183,6 +213,11 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
     shapes.push_back(shape_json(build, i, evaluation, torus));
   for (const LeftOut& shape : build.left_out)
     shapes.push_back({{"name", shape.stem}, {"status", "left out"}, {"reason", shape.reason}});
+  ordered_json options = options_json(request.build);
+  const bool from_labels =
+      std::any_of(build.shapes.begin(), build.shapes.end(),
+                  [](const ShapeOutcome& shape) { return shape.input.label.has_value(); });
+  if (from_labels) options["label_maps"] = label_options_json(request.labels.value_or(LabelRequest{}));
   ordered_json stages = ordered_json::object();
   for (const auto& [name, time] : build.stage_seconds) stages[name] = time;
   stages["evaluate"] = evaluation.seconds.representation + evaluation.seconds.generalization +
@@ -190,7 +225,7 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
   if (evaluation.refit) stages["refit"] = evaluation.seconds.refit;
   return {{"version", version()},
           {"command", request.canonical_command},
-          {"options", options_json(request.build)},
+          {"options", options},
           {"seed", request.build.seed},
           {"inputs", inputs_json(build)},
           {"reference", build.shapes[static_cast<std::size_t>(build.reference)].input.stem},

@@ -15,6 +15,11 @@ nlohmann::ordered_json run_json(const BuildRequest& request, const ModelBuild& b
 /// A build's options by their command-line names.
 nlohmann::ordered_json options_json(const BuildOptions& options);
 
+/// How a label became a surface.
+nlohmann::ordered_json extraction_json(const ExtractionReport& report);
+/// Options for label maps by their command-line names.
+nlohmann::ordered_json label_options_json(const LabelRequest& request);
+
 /// Largest resident memory of this process so far, MB.
 double peak_memory_mb();
 

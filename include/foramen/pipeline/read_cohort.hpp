@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The surfaces of a cohort, read and audited.
+/// The surfaces of a cohort, read or extracted from label maps, and audited.
 
 #include <filesystem>
 #include <optional>
@@ -9,38 +9,60 @@
 
 #include "foramen/core/run_context.hpp"
 #include "foramen/core/units.hpp"
+#include "foramen/extract/extract_labels.hpp"
 #include "foramen/io/mesh_file.hpp"
 
 namespace foramen {
 
 /// A surface fit for a model: one closed, manifold, genus-1 component, wound outward, in mm.
 struct InputShape {
-  std::string stem;       ///< file name without extension; names the shape everywhere
+  std::string
+      stem;  ///< file name without extension, and for a label _ and its name; names the shape everywhere
   std::string file_name;  ///< with extension, without folder
   std::string sha256;     ///< of the file's bytes
   AnatomicalSpace space = AnatomicalSpace::lps;
-  bool was_inward = false;  ///< the file's triangles were wound inward and have been reversed
+  bool was_inward = false;                  ///< the file's triangles were wound inward and have been reversed
+  std::optional<int> label = std::nullopt;  ///< of a label map
+  ExtractionReport extraction = {};         ///< if so
   Mesh mesh;
 };
 
 /// A shape that takes no part, and why.
 struct LeftOut {
   std::string stem, file_name, sha256;
-  std::string reason;  ///< finding and remedy
+  std::string reason;                       ///< finding and remedy
+  std::optional<int> label = std::nullopt;  ///< of a label map; unset also for a whole label map
 };
+
+/// Where a shape comes from, for people: "L1.ply", or "verse004.nii.gz, label 20".
+std::string source_of(const InputShape& shape);
+std::string source_of(const LeftOut& shape);
 
 struct Cohort {
   std::vector<InputShape> shapes;  ///< in order of stem
   std::vector<LeftOut> left_out;
+  std::vector<std::string> notes;  ///< what the user should know though it is no error
 };
 
 /// The mesh files meant by files and folders (a folder means the mesh files directly in it), in order of
 /// stem. Throws InvalidInput: no such path, a folder without meshes, two inputs with the same stem.
 std::vector<std::filesystem::path> find_meshes(const std::vector<std::filesystem::path>& inputs);
 
-/// Reads and audits each file. What cannot be used is left out with its reason; nothing is thrown for one bad
-/// file.
-Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx);
+/// The same for mesh files and label maps. A mesh and a label map may have the same stem, since the label
+/// map's shapes have longer ones.
+std::vector<std::filesystem::path> find_shape_files(const std::vector<std::filesystem::path>& inputs);
+/// The same for label maps alone.
+std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesystem::path>& inputs);
+
+/// Reads and audits each file: meshes in that unit, and of label maps the labels asked for. What cannot be
+/// used is left out with its reason; nothing is thrown for one bad file. Throws InvalidInput if two shapes
+/// have the same stem, or if a label named singly is in none of the label maps.
+Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx,
+                   const LabelRequest& labels = {});
+
+/// The surface as that of a shape whose other members are set. Throws InvalidInput with the reason if it
+/// cannot be used. Surfaces of files and of labels both come through here.
+InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit);
 
 /// One surface fit for a model, or the reason why not as an InvalidInput or IoError.
 InputShape read_shape(const std::filesystem::path& file, LengthUnit unit);

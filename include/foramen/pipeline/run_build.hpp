@@ -14,7 +14,9 @@ namespace foramen {
 struct BuildRequest {
   std::vector<std::filesystem::path> inputs;  ///< files and folders
   std::filesystem::path output;               ///< the model's folder
-  LengthUnit unit = LengthUnit::millimetre;   ///< of the inputs
+  LengthUnit unit = LengthUnit::millimetre;   ///< of the meshes among them
+  std::optional<LabelRequest> labels =
+      std::nullopt;  ///< of the label maps among them; unset: all with a name
   BuildOptions build = {};
   EvaluationOptions evaluation = {};
   bool refit = false;             ///< also refit_generalization(): as many builds as there are shapes

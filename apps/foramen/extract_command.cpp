@@ -1,0 +1,54 @@
+#include <iostream>
+#include <memory>
+
+#include "foramen/pipeline/run_extract.hpp"
+#include "label_options.hpp"
+
+namespace foramen::app {
+namespace {
+
+struct ExtractCommand {
+  LabelFlags flags;
+  std::optional<LabelRequest> labels;  // as the flags have it
+  std::vector<std::string> inputs;
+  std::string output;
+  bool strict = false;
+  Console console;
+};
+
+int extract(const ExtractCommand& command) {
+  ExtractRequest request;
+  for (const std::string& input : command.inputs) request.inputs.emplace_back(input);
+  request.output = command.output;
+  request.labels = command.labels.value_or(LabelRequest{});
+  request.canonical_command = command.console.command;
+  const ExtractSummary summary = run_extract(request, command.console.context());
+  for (const LeftOut& label : summary.left_out)
+    command.console.warn("left out " + source_of(label) + ": " + label.reason);
+  for (const std::string& note : summary.notes) command.console.warn(note);
+  if (command.console.json)
+    std::cout << summary.json << '\n';
+  else
+    command.console.say(summary.text);
+  return command.strict && !summary.left_out.empty() ? ExitCode::refused : ExitCode::done;
+}
+
+}  // namespace
+
+void add_extract(CLI::App& program, Run& run) {
+  auto options = std::make_shared<ExtractCommand>();
+  CLI::App* command = program.add_subcommand("extract", "meshes of the labels of label maps");
+  command->add_option("inputs", options->inputs, "label maps (NIfTI, NRRD, MetaImage) or folders of them")
+      ->required();
+  command->add_option("-o,--output", options->output, "folder to write")->required();
+  options->flags.add_to(*command);
+  command->add_flag("--strict", options->strict, "exit 1 if any label is left out");
+  add_console_options(*command, options->console);
+  command->callback([options, command, &run] {
+    options->labels = options->flags.resolved();
+    options->console.command = canonical_command(*command, options->inputs);
+    run = [options] { return extract(*options); };
+  });
+}
+
+}  // namespace foramen::app

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// The options for label maps, which `extract` and `build` share.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "command.hpp"
+#include "foramen/extract/extract_labels.hpp"
+
+namespace foramen::app {
+
+class LabelFlags {
+ public:
+  void add_to(CLI::App& command);
+  /// Empty if none was given. Throws CLI::ValidationError for labels that are none; IoError for a names file
+  /// that cannot be read. \pre the command line is parsed
+  std::optional<LabelRequest> resolved() const;
+
+ private:
+  std::string labels_, names_file_;
+  LabelNumbering numbering_ = LabelNumbering::verse;
+  bool keep_cut_ = false;
+  std::vector<CLI::Option*> options_;
+};
+
+}  // namespace foramen::app

@@ -1,0 +1,79 @@
+#pragma once
+/// \file
+/// The surface of one label of a label map.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "foramen/io/label_map.hpp"
+#include "foramen/spatial/surface_distance.hpp"
+
+namespace foramen {
+
+/// Where a label is.
+struct LabelExtent {
+  std::array<int, 3> low{}, high{};  ///< first and last voxel along i, j, k
+  std::int64_t voxels = 0;
+};
+
+/// All labels but the background.
+std::map<int, LabelExtent> find_labels(const LabelMap& map);
+
+struct ExtractOptions {
+  bool keep_cut = false;  ///< Also take a label that reaches the border of the label map, closed flat there.
+  /// Of smoothing. >= 0; 0 leaves the voxels' surface with its corners cut. More make large flat steps
+  /// smoother, and move the surface farther from the voxels: with 15 the 95th percentile stays below half a
+  /// voxel.
+  int smoothing_rounds = 15;
+  /// No vertex moves farther from its place on the voxels' surface, the middle of a voxel's face, than this,
+  /// in voxels: |(dx / sx, dy / sy, dz / sz)| <= bound for spacings s along the lattice. 0 < bound <= 0.5.
+  double bound_voxels = 0.5;
+};
+
+/// What voxels that touch along an edge alone are taken for. The voxels do not say, and the genus depends on
+/// it.
+enum class EdgeContact { joined, apart };
+
+struct ExtractionReport {
+  int genus = 0;
+  EdgeContact contact = EdgeContact::joined;
+  int components = 0;              ///< of the label's voxels; the largest was taken
+  std::int64_t voxels = 0;         ///< enclosed: of the largest component and its cavities
+  std::int64_t lost_voxels = 0;    ///< of the other components
+  std::int64_t filled_voxels = 0;  ///< of cavities
+  std::vector<std::string>
+      cut_at;                    ///< sides of the label map that it reaches, e.g. "superior"; with keep_cut
+  double voxel_volume = 0;       ///< enclosed, mm^3
+  double volume = 0;             ///< within the surface, mm^3
+  SurfaceDistance deviation_mm;  ///< of the surface and the voxels' boundary; mm
+  SurfaceDistance deviation;     ///< the same where every voxel is a unit cube: in voxels
+  int restrained = 0;  ///< vertices that smoothing moved less, since the surface would have met itself
+};
+
+struct ExtractedSurface {
+  TriangleSoup surface;  ///< closed, manifold, one component, wound outward, no self-intersections; LPS mm
+  ExtractionReport report;
+};
+
+/// Of the label's voxels the largest component is taken and its cavities are filled. Where voxels touch along
+/// an edge alone they are taken as joined (18 neighbours; 6 outside), and if the surface then has not genus
+/// 1, as apart (6; 18 outside); of both surfaces the one whose genus is nearer to 1 is returned (the first of
+/// equals).
+///
+/// The surface is that of marching cubes with a vertex in the middle of every face between inside and
+/// outside, closed and manifold for any voxels. Its steps are smoothed away by rounds of gradient descent on
+/// the bending energy sum_i |u_i|^2, u_i the mean of vertex i's neighbours minus the vertex, after each of
+/// which vertices are put back into their ball (bound_voxels); then it is moved along its normals until it
+/// encloses the volume of the voxels; and where it meets itself, vertices are moved back towards where they
+/// began. The result does not depend on the order and direction in which the map stores its axes.
+///
+/// \param extent  of that label, by find_labels()
+///
+/// Throws InvalidInput: the label reaches the border of the map (and not keep_cut), options out of range, a
+/// surface of more than 20 million vertices.
+ExtractedSurface extract_label(const LabelMap& map, int label, const LabelExtent& extent,
+                               const ExtractOptions& options = {});
+
+}  // namespace foramen

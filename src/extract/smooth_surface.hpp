@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// Private to extract: a voxel surface without its steps.
+
+#include "foramen/extract/extract_label.hpp"
+
+namespace foramen::extract {
+
+struct SmoothedSurface {
+  std::vector<Vec3> points;  ///< of the same vertices
+  int restrained = 0;        ///< vertices moved back, since the surface met itself
+};
+
+/// As extract_label() says. \param start  without self-intersections, mm along the lattice's axes.
+/// \param volume  to be enclosed in the end, mm^3.
+SmoothedSurface smooth_surface(const TriangleSoup& start, const Vec3& spacing, double volume,
+                               const ExtractOptions& options);
+
+}  // namespace foramen::extract

@@ -1,0 +1,81 @@
+#include "foramen/io/label_map.hpp"
+
+#include <fstream>
+
+#include "foramen/io/sha256.hpp"
+#include "io/voxel_layout.hpp"
+
+namespace foramen {
+namespace {
+
+using LayoutReader = io_detail::VoxelLayout (*)(const std::filesystem::path&);
+
+struct Format {
+  const char* extension;
+  LayoutReader layout;
+};
+
+constexpr Format formats[] = {{".nii", io_detail::nifti_layout},    {".nii.gz", io_detail::nifti_layout},
+                              {".nrrd", io_detail::nrrd_layout},    {".nhdr", io_detail::nrrd_layout},
+                              {".mha", io_detail::meta_layout},     {".mhd", io_detail::meta_layout}};
+
+// The format by the name's end; null if it is none of them.
+const Format* format_of(const std::filesystem::path& path) {
+  const std::string name = io_detail::lower_case(path.filename().string());
+  for (const Format& format : formats)
+    if (name.size() > std::string_view(format.extension).size() && name.ends_with(format.extension))
+      return &format;
+  return nullptr;
+}
+
+std::string sha256_of(const std::filesystem::path& path, const std::filesystem::path& data_file) {
+  if (data_file == path) return sha256_of_file(path);
+  Sha256 hash;
+  std::vector<char> chunk(std::size_t{1} << 20U);
+  for (const auto& part : {path, data_file}) {
+    std::ifstream in(part, std::ios::binary);
+    while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), in.gcount() > 0)
+      hash.update({chunk.data(), static_cast<std::size_t>(in.gcount())});
+  }
+  return hash.hex();
+}
+
+}  // namespace
+
+const std::vector<std::string>& label_map_extensions() {
+  static const std::vector<std::string> extensions = [] {
+    std::vector<std::string> list;
+    for (const Format& format : formats) list.emplace_back(format.extension);
+    return list;
+  }();
+  return extensions;
+}
+
+bool is_label_map(const std::filesystem::path& path) { return format_of(path) != nullptr; }
+
+std::string label_map_stem(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  const Format* format = format_of(path);
+  return format ? name.substr(0, name.size() - std::string_view(format->extension).size()) : name;
+}
+
+LabelMap read_label_map(const std::filesystem::path& path) {
+  const Format* format = format_of(path);
+  if (!format) {
+    std::string known;
+    for (const std::string& e : label_map_extensions()) known += (known.empty() ? "" : " ") + e;
+    io_detail::Source{path.string(), {}}.refuse("is no label map by its name",
+                                                "label maps are read from files ending in " + known);
+  }
+  const io_detail::VoxelLayout layout = format->layout(path);
+  io_detail::check_layout(path, layout);
+  LabelMap map;
+  for (std::size_t d = 0; d < 3; ++d) map.size[d] = static_cast<int>(layout.size[d]);
+  map.labels = io_detail::read_voxels(path, layout);
+  map.axes = layout.axes;
+  map.origin = layout.origin;
+  map.sha256 = sha256_of(path, layout.data_file);
+  return map;
+}
+
+}  // namespace foramen

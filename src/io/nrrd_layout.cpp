@@ -1,0 +1,137 @@
+// NRRD, https://teem.sourceforge.net/nrrd/format.html
+#include <algorithm>
+#include <array>
+
+#include "io/header_fields.hpp"
+#include "io/voxel_layout.hpp"
+
+namespace foramen::io_detail {
+namespace {
+
+struct TypeNames {
+  NumberType type;
+  std::array<std::string_view, 7> names;
+};
+constexpr NumberKind plain = NumberKind::unsigned_integer, with_sign = NumberKind::signed_integer;
+constexpr std::array<TypeNames, 10> types{{
+    {{plain, 1}, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+    {{with_sign, 1}, {"signed char", "int8", "int8_t"}},
+    {{plain, 2}, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+    {{with_sign, 2}, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+    {{plain, 4}, {"uint", "unsigned int", "uint32", "uint32_t"}},
+    {{with_sign, 4}, {"int", "signed int", "int32", "int32_t"}},
+    {{plain, 8}, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+    {{with_sign, 8},
+     {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+    {{NumberKind::real, 4}, {"float"}},
+    {{NumberKind::real, 8}, {"double"}},
+}};
+
+NumberType type_of(const Source& source, const std::string& written) {
+  const std::string type = lower_case(written);
+  for (const TypeNames& t : types)
+    if (!type.empty() && std::find(t.names.begin(), t.names.end(), type) != t.names.end()) return t.type;
+  source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
+}
+
+// Fields until the blank line, or the end of a header whose data stand elsewhere.
+std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
+  LineCursor lines(source.bytes);
+  if (!header_line(source, lines).starts_with("NRRD000"))
+    source.refuse("does not begin with 'NRRD000'", "it is no NRRD file: check its format and extension");
+  while (lines.remaining() > 0) {
+    const std::string_view line = header_line(source, lines);
+    if (line.empty()) return static_cast<std::int64_t>(lines.offset());
+    if (line.front() == '#' || line.find(":=") != std::string_view::npos) continue;
+    const auto colon = line.find(": ");
+    if (colon == std::string_view::npos)
+      source.refuse(lines.place() + " of its header is " + in_quotes(line), remedy_export_again);
+    std::string key = lower_case(line.substr(0, colon));
+    // Both spellings are in use.
+    std::erase(key, ' ');
+    fields.add(key, line.substr(colon + 2));
+  }
+  if (!fields.has("datafile")) source.refuse("its header does not end", remedy_export_again);
+  return static_cast<std::int64_t>(lines.offset());
+}
+
+// foramen measures in mm; NRRD may say otherwise.
+void require_millimetres(const Source& source, const HeaderFields& fields) {
+  for (const char* key : {"spaceunits", "units"}) {
+    if (!fields.has(key)) continue;
+    const std::string units = fields.text(key);
+    for (auto open = units.find('"'); open != std::string::npos;) {
+      const auto close = units.find('"', open + 1);
+      if (close == std::string::npos) break;
+      const std::string unit = units.substr(open + 1, close - open - 1);
+      if (!unit.empty() && unit != "mm" && lower_case(unit) != "millimeter" && lower_case(unit) != "millimetre")
+        source.refuse("its lengths are in " + in_quotes(unit), "convert it to millimetres");
+      open = units.find('"', close + 1);
+    }
+  }
+}
+
+// Signs that turn the axes of the header's space to left, posterior, superior.
+Vec3 lps_signs(const Source& source, const HeaderFields& fields) {
+  const std::string space = lower_case(fields.text("space", ""));
+  if (space == "left-posterior-superior" || space == "lps") return {1, 1, 1};
+  if (space == "right-anterior-superior" || space == "ras") return {-1, -1, 1};
+  if (space == "left-anterior-superior" || space == "las") return {1, -1, 1};
+  source.refuse(space.empty() ? "does not say how it is oriented (no space)" : "its space is " + in_quotes(space),
+                "save it with its orientation in left-posterior-superior or right-anterior-superior");
+}
+
+void set_geometry(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
+  const Vec3 signs = lps_signs(source, fields);
+  const auto directions = fields.numbers("spacedirections", 9), origin = fields.numbers("spaceorigin", 3);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int row = 0; row < 3; ++row)
+      layout.axes(row, axis) = signs[row] * directions[static_cast<std::size_t>(3 * axis + row)];
+  for (int row = 0; row < 3; ++row) layout.origin[row] = signs[row] * origin[static_cast<std::size_t>(row)];
+}
+
+ByteOrder byte_order(const Source& source, const HeaderFields& fields, const NumberType& type) {
+  if (type.bytes == 1) return ByteOrder::little;
+  const std::string endian = lower_case(fields.text("endian"));
+  if (endian == "little") return ByteOrder::little;
+  if (endian == "big") return ByteOrder::big;
+  source.refuse("its header has " + in_quotes(endian) + " as endian", remedy_export_again);
+}
+
+}  // namespace
+
+VoxelLayout nrrd_layout(const std::filesystem::path& path) {
+  const std::string header = header_text(path);
+  const Source source{path.string(), header};
+  HeaderFields fields(source);
+  VoxelLayout layout;
+  layout.offset = parse_fields(source, fields);
+  layout.data_file = path;
+  if (fields.integer("dimension") != 3)
+    source.refuse("is an image of " + std::to_string(fields.integer("dimension")) +
+                      " dimensions (colours and vectors count as one)",
+                  "a label map has three: save one volume of it");
+  const auto sizes = fields.integers("sizes");
+  if (sizes.size() != 3) source.refuse("its header has not three sizes", remedy_export_again);
+  std::copy(sizes.begin(), sizes.end(), layout.size.begin());
+  layout.type = type_of(source, fields.text("type"));
+  layout.order = byte_order(source, fields, layout.type);
+  require_millimetres(source, fields);
+  set_geometry(source, fields, layout);
+  const std::string encoding = lower_case(fields.text("encoding"));
+  if (encoding == "gzip" || encoding == "gz")
+    layout.packing = ByteStream::Packing::deflate;
+  else if (encoding != "raw")
+    source.refuse("its voxels are encoded as " + in_quotes(encoding), "save it with the encoding gzip or raw");
+  for (const char* skip : {"lineskip", "byteskip"})
+    if (fields.has(skip) && fields.integer(skip) != 0)
+      source.refuse("its data file begins with something else (" + std::string(skip) + ")",
+                    "save it as one .nrrd file");
+  if (fields.has("datafile")) {
+    layout.data_file = named_data_file(source, path, fields.text("datafile"));
+    layout.offset = 0;
+  }
+  return layout;
+}
+
+}  // namespace foramen::io_detail

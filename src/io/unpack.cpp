@@ -1,0 +1,77 @@
+#include "io/unpack.hpp"
+
+#include <zlib.h>
+
+#include <fstream>
+#include <limits>
+#include <vector>
+
+#include "foramen/core/error.hpp"
+#include "io/file_bytes.hpp"
+
+namespace foramen::io_detail {
+
+struct ByteStream::State {
+  std::ifstream file;
+  Packing packing = Packing::none;
+  z_stream inflater{};
+  std::vector<char> packed;
+  bool ended = false, damaged = false;
+
+  ~State() {
+    if (packing == Packing::deflate) inflateEnd(&inflater);
+  }
+
+  void refill() {
+    if (inflater.avail_in > 0) return;
+    file.read(packed.data(), static_cast<std::streamsize>(packed.size()));
+    inflater.next_in = reinterpret_cast<Bytef*>(packed.data());
+    inflater.avail_in = static_cast<uInt>(file.gcount());
+  }
+  // After a stream another may follow in a gzip file. What else follows is not looked at.
+  bool next_stream() {
+    constexpr int first_gzip_byte = 0x1f;
+    if (inflater.avail_in == 0 || *inflater.next_in != first_gzip_byte) return false;
+    inflateReset(&inflater);
+    ended = false;
+    return true;
+  }
+};
+
+ByteStream::ByteStream(const std::filesystem::path& path, std::int64_t offset, Packing packing)
+    : state_(std::make_unique<State>()) {
+  state_->file.open(path, std::ios::binary);
+  if (!state_->file) Source{path.string(), {}}.refuse("cannot be opened", "check the permissions");
+  state_->file.seekg(offset);
+  if (packing == Packing::none) return;
+  constexpr int gzip_or_zlib = 15 + 32;
+  constexpr std::size_t buffer = std::size_t{1} << 18U;
+  FORAMEN_ASSERT(inflateInit2(&state_->inflater, gzip_or_zlib) == Z_OK);
+  state_->packing = packing;
+  state_->packed.resize(buffer);
+}
+
+ByteStream::~ByteStream() = default;
+
+std::size_t ByteStream::read(char* out, std::size_t count) {
+  State& s = *state_;
+  if (s.packing == Packing::none) {
+    s.file.read(out, static_cast<std::streamsize>(count));
+    return static_cast<std::size_t>(s.file.gcount());
+  }
+  FORAMEN_ASSERT(count <= std::numeric_limits<uInt>::max());
+  s.inflater.next_out = reinterpret_cast<Bytef*>(out);
+  s.inflater.avail_out = static_cast<uInt>(count);
+  while (s.inflater.avail_out > 0 && !s.damaged) {
+    s.refill();
+    if (s.ended && !s.next_stream()) break;
+    const int outcome = s.inflater.avail_in == 0 ? Z_DATA_ERROR : inflate(&s.inflater, Z_NO_FLUSH);
+    s.ended = outcome == Z_STREAM_END;
+    s.damaged = !s.ended && outcome != Z_OK && outcome != Z_BUF_ERROR;
+  }
+  return count - s.inflater.avail_out;
+}
+
+bool ByteStream::damaged() const { return state_->damaged; }
+
+}  // namespace foramen::io_detail

@@ -1,0 +1,127 @@
+#include "foramen/pipeline/run_extract.hpp"
+
+#include <cstdio>
+#include <set>
+
+#include "foramen/core/error.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "foramen/pipeline/version.hpp"
+#include "foramen/topology/inspect_mesh.hpp"
+#include "pipeline/run_json.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+std::string line_of(const LabelSurface& label) {
+  const ExtractionReport& r = label.extracted.report;
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "%s: %zu vertices, genus %d, %.0f mm^3 (voxels %+.2f %%); from the voxels p95 %.2f, largest %.2f "
+      "voxels (%.2f, %.2f mm)\n",
+      label.stem.c_str(), label.extracted.surface.points.size(), r.genus, r.volume,
+      100 * (r.volume / r.voxel_volume - 1), r.deviation.p95, r.deviation.hausdorff, r.deviation_mm.p95,
+      r.deviation_mm.hausdorff);
+  return text;
+}
+
+ordered_json surface_json(const LabelSurface& label, const std::optional<Obstacle>& obstacle) {
+  ordered_json out = {{"file", label.stem + ".ply"},
+                      {"label", label.label},
+                      {"name", label.name},
+                      {"usable", !obstacle},
+                      {"vertices", label.extracted.surface.points.size()},
+                      {"triangles", label.extracted.surface.triangles.size()}};
+  out.update(extraction_json(label.extracted.report));
+  if (obstacle) {
+    out["finding"] = obstacle->finding;
+    out["remedy"] = obstacle->remedy;
+  }
+  return out;
+}
+
+struct ReadLabelMap {
+  fs::path file;
+  LabelSurfaces labels;
+};
+
+// All label maps; of one that cannot be read only the reason if there are others.
+std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunContext& ctx,
+                                   ExtractSummary& summary) {
+  std::vector<ReadLabelMap> all;
+  const auto files = find_label_maps(request.inputs);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    ctx.step("extract", static_cast<double>(i) / static_cast<double>(files.size()));
+    try {
+      all.push_back({files[i], extract_labels(files[i], request.labels, ctx)});
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      if (files.size() == 1) throw;
+      summary.left_out.push_back({label_map_stem(files[i]), files[i].filename().string(), {}, e.what()});
+      continue;
+    }
+    for (const RefusedLabel& refused : all.back().labels.refused)
+      if (refused.absent)
+        throw InvalidInput(files[i].string() + ": --labels " + std::to_string(refused.label) + ": " +
+                           refused.reason);
+  }
+  return all;
+}
+
+}  // namespace
+
+ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx) {
+  ExtractSummary summary;
+  const auto all = read_all(request, ctx, summary);
+  ordered_json files = ordered_json::array();
+  std::size_t surfaces = 0;
+  for (const ReadLabelMap& map : all) {
+    const std::string name = map.file.filename().string();
+    ordered_json written = ordered_json::array(), refused_labels = ordered_json::array();
+    summary.notes.insert(summary.notes.end(), map.labels.notes.begin(), map.labels.notes.end());
+    for (const RefusedLabel& refused : map.labels.refused) {
+      summary.left_out.push_back({refused.stem, name, map.labels.sha256, refused.reason, refused.label});
+      refused_labels.push_back(
+          {{"label", refused.label}, {"name", refused.name}, {"reason", refused.reason}});
+    }
+    for (const LabelSurface& label : map.labels.surfaces) {
+      const auto obstacle = obstacle_to_model(inspect_mesh(label.extracted.surface));
+      if (obstacle)
+        summary.notes.push_back(label.stem + ": not fit for a model: " + obstacle->finding + "; " +
+                                obstacle->remedy);
+      summary.text += line_of(label);
+      written.push_back(surface_json(label, obstacle));
+    }
+    surfaces += map.labels.surfaces.size();
+    files.push_back(
+        {{"file", name}, {"sha256", map.labels.sha256}, {"surfaces", written}, {"refused", refused_labels}});
+  }
+  if (surfaces == 0) {
+    std::string message = "no label could be extracted";
+    for (const LeftOut& out : summary.left_out)
+      message += "\n  left out " + source_of(out) + ": " + out.reason;
+    throw InvalidInput(message);
+  }
+
+  fs::create_directories(request.output);
+  for (const ReadLabelMap& map : all)
+    for (const LabelSurface& label : map.labels.surfaces)
+      write_ply(request.output / (label.stem + ".ply"), label.extracted.surface);
+  ordered_json record = {{"version", version()},
+                         {"command", request.canonical_command},
+                         {"options", label_options_json(request.labels)},
+                         {"files", files},
+                         {"notes", summary.notes}};
+  summary.json = record.dump(2);
+  write_file(request.output / "extract.json", summary.json + "\n");
+  summary.text += "wrote " + std::to_string(surfaces) + (surfaces == 1 ? " surface to " : " surfaces to ") +
+                  request.output.string();
+  ctx.step("extract", 1);
+  return summary;
+}
+
+}  // namespace foramen
