@@ -19,6 +19,7 @@ int run_program(int argc, char** argv) {
   add_demo(program, run);
   add_synth(program, run);
   add_inspect(program, run);
+  add_repair(program, run);
   add_build(program, run);
   add_evaluate(program, run);
   add_compare(program, run);

@@ -62,6 +62,12 @@ void require_plausible_size(double diagonal, LengthUnit unit) {
   throw InvalidInput(message);
 }
 
+TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
+  if (unit != LengthUnit::millimetre)
+    for (Vec3& p : soup.points) p *= millimetres_per(unit);
+  return soup;
+}
+
 }  // namespace
 
 std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
@@ -88,7 +94,18 @@ std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
   return files;
 }
 
-InputShape read_shape(const fs::path& file, LengthUnit unit) {
+RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
+                            const RunContext& ctx) {
+  // Stray pieces may make it too large for a vertebra, but not so that another unit fits.
+  const double diagonal = inspect_mesh(raw).box.diagonal();
+  if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit);
+  RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);
+  require_plausible_size(bounding_box(repaired.mesh.positions()).diagonal() / millimetres_per(unit), unit);
+  return repaired;
+}
+
+InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional<RepairOptions>& repair,
+                      const RunContext& ctx) {
   InputShape shape;
   shape.stem = file.stem().string();
   shape.file_name = file.filename().string();
@@ -96,29 +113,34 @@ InputShape read_shape(const fs::path& file, LengthUnit unit) {
   shape.sha256 = sha256_of_file(file);
   shape.space = read.space.value_or(AnatomicalSpace::lps);
   const MeshReport report = inspect_mesh(read.soup);
-  if (const auto obstacle = obstacle_to_model(report))
+  const auto obstacle = obstacle_to_model(report);
+  if (obstacle && !repair)
     throw TopologyError(file.string() + ": " + obstacle->finding + "; " + obstacle->remedy);
   try {
+    if (obstacle) {
+      RepairedMesh repaired = repair_surface(std::move(read.soup), unit, *repair, ctx);
+      shape.repair = std::move(repaired.report);
+      shape.mesh = std::move(repaired.mesh);
+      return shape;
+    }
     require_plausible_size(report.box.diagonal(), unit);
   } catch (const InvalidInput& e) {
     throw InvalidInput(file.string() + ": " + e.what());
   }
-  const double scale = millimetres_per(unit);
-  if (unit != LengthUnit::millimetre)
-    for (Vec3& p : read.soup.points) p *= scale;
-  shape.mesh = build_mesh(std::move(read.soup));
+  shape.mesh = build_mesh(in_millimetres(std::move(read.soup), unit));
   shape.was_inward = report.inward;
   if (shape.was_inward) shape.mesh = reversed(shape.mesh);
   return shape;
 }
 
-Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx) {
+Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx,
+                   const std::optional<RepairOptions>& repair) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
     const fs::path& file = files[static_cast<std::size_t>(i)];
     auto& result = results[static_cast<std::size_t>(i)];
     try {
-      result = read_shape(file, unit);
+      result = read_shape(file, unit, repair, RunContext(1));
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {

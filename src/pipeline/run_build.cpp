@@ -14,6 +14,7 @@
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
 #include "foramen/pipeline/refit.hpp"
+#include "foramen/pipeline/repair_record.hpp"
 #include "pipeline/run_json.hpp"
 
 namespace foramen {
@@ -85,9 +86,12 @@ void add_refit_notes(std::vector<std::string>& notes, const std::optional<RefitG
 
 std::vector<std::string> notes_on(const ModelBuild& build, const Evaluation& evaluation) {
   std::vector<std::string> notes;
-  for (const ShapeOutcome& shape : build.shapes)
+  for (const ShapeOutcome& shape : build.shapes) {
     if (shape.input.was_inward)
       notes.push_back(shape.input.file_name + ": triangles were wound inward; reversed");
+    if (shape.input.repair)
+      notes.push_back(shape.input.file_name + ": repaired: " + summary(*shape.input.repair));
+  }
   if (build.remaining_flips > 0)
     notes.push_back(std::to_string(build.remaining_flips) +
                     " landmark triangles are flipped or degenerate on some shape and could not be mended "
@@ -116,7 +120,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const auto files = find_meshes(request.inputs);
   prepare_folder(request.output);
   ctx.step("read", 0);
-  ModelBuild build = build_model(read_cohort(files, request.unit, ctx), request.build, ctx);
+  ModelBuild build = build_model(read_cohort(files, request.unit, ctx, request.repair), request.build, ctx);
 
   const CorrespondingCohort cohort = corresponding_cohort(build, request.subject_pattern);
   EvaluationOptions evaluation_options = request.evaluation;

@@ -1,7 +1,6 @@
 #include "foramen/repair/repair_mesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
@@ -226,24 +225,6 @@ class Repair {
 };
 
 }  // namespace
-
-std::string_view description(RepairKind kind) {
-  constexpr std::array texts{"unused vertices dropped",
-                             "duplicate vertices joined",
-                             "triangles without area removed",
-                             "duplicate triangles dropped",
-                             "flaps and inner walls dropped",
-                             "non-manifold edges opened",
-                             "non-manifold vertices doubled",
-                             "stray components dropped",
-                             "inner shells dropped",
-                             "triangles wound the other way",
-                             "holes filled",
-                             "self-intersections parted",
-                             "bridges cut",
-                             "tunnels filled"};
-  return texts.at(static_cast<std::size_t>(kind));
-}
 
 std::optional<VertexId> RepairedMesh::from_raw(VertexId raw) const {
   if (!raw.valid() || raw.index >= repaired.size() || !repaired[raw].valid()) return std::nullopt;

@@ -143,8 +143,7 @@ LoopKind loop_kind(const Mesh& mesh, const EdgeLoop& loop) {
     previous = now;
   }
   throw ConvergenceError(
-      "the linking numbers of a loop do not settle: the surface may intersect itself near the loop; repair "
-      "it");
+      "the linking numbers of a loop do not settle: the surface may intersect itself near the loop");
 }
 
 EdgeLoop shortest_crossing_loop(const Mesh& mesh, const EdgeLoop& loop, const EdgeMap<double>& lengths) {

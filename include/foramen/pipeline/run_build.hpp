@@ -15,6 +15,7 @@ struct BuildRequest {
   std::vector<std::filesystem::path> inputs;  ///< files and folders
   std::filesystem::path output;               ///< the model's folder
   LengthUnit unit = LengthUnit::millimetre;   ///< of the inputs
+  std::optional<RepairOptions> repair;        ///< set: what the audit refuses is repaired
   BuildOptions build = {};
   EvaluationOptions evaluation = {};
   bool refit = false;             ///< also refit_generalization(): as many builds as there are shapes

@@ -3,6 +3,7 @@
 /// Repair of a raw surface: what comes out is one closed, manifold, outward, genus-1 surface.
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -52,6 +53,9 @@ struct RepairReport {
   std::vector<Vec3> remaining_self_intersections;  ///< pairs of triangles that could not be parted, mm
   double largest_move_mm = 0;                      ///< of a vertex that was kept
 };
+
+/// One line: "holes filled: 1 at (1.0, 2.0, 3.0); cut a bridge, 2.3 mm round ...".
+std::string summary(const RepairReport& report);
 
 struct RepairedMesh {
   Mesh mesh;
