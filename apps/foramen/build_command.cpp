@@ -1,6 +1,7 @@
 #include "build_options.hpp"
 #include "foramen/pipeline/run_build.hpp"
 #include "label_options.hpp"
+#include "repair_options.hpp"
 
 namespace foramen::app {
 namespace {
@@ -18,7 +19,8 @@ struct BuildCommand {
   std::string output;
   std::string truth;
   LengthUnit unit = LengthUnit::millimetre;
-  bool refit = false, strict = false;
+  bool refit = false, strict = false, repair = false;
+  RepairOptions repair_options;
   Console console;
 };
 
@@ -29,6 +31,7 @@ int build(const BuildCommand& command) {
   request.unit = command.unit;
   request.labels = command.labels;
   request.truth = command.truth;
+  if (command.repair) request.repair = command.repair_options;
   request.build = command.build;
   request.evaluation = command.flags.evaluation;
   request.refit = command.refit;
@@ -155,13 +158,11 @@ void add_build(CLI::App& program, Run& run) {
   command->add_option("inputs", options->inputs, "mesh files, label maps, or folders of them")->required();
   command->add_option("-o,--output", options->output, "folder of the model")->required();
   options->flags.add_to(*command);
-  add_choice<LengthUnit>(*command, "--units", options->unit,
-                         {{"mm", LengthUnit::millimetre},
-                          {"cm", LengthUnit::centimetre},
-                          {"m", LengthUnit::metre},
-                          {"um", LengthUnit::micrometre}},
-                         "unit of the mesh files; label maps are in mm");
+  add_unit_option(*command, options->unit);
   options->label_flags.add_to(*command);
+  CLI::Option* repair = command->add_flag("--repair", options->repair,
+                                          "repair what cannot be used as it is (see foramen repair)");
+  for (CLI::Option* option : add_repair_options(*command, options->repair_options)) option->needs(repair);
   command
       ->add_option("--truth", options->truth,
                    "folder of the true correspondence, by the same names: measures the landmarks by it")

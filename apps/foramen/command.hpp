@@ -62,6 +62,7 @@ void add_extract(CLI::App& program, Run& run);
 void add_inspect(CLI::App& program, Run& run);
 void add_modes(CLI::App& program, Run& run);
 void add_render(CLI::App& program, Run& run);
+void add_repair(CLI::App& program, Run& run);
 void add_report(CLI::App& program, Run& run);
 void add_sample(CLI::App& program, Run& run);
 void add_synth(CLI::App& program, Run& run);

@@ -20,6 +20,7 @@ int run_program(int argc, char** argv) {
   add_synth(program, run);
   add_inspect(program, run);
   add_extract(program, run);
+  add_repair(program, run);
   add_build(program, run);
   add_evaluate(program, run);
   add_compare(program, run);

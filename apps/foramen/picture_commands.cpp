@@ -34,7 +34,7 @@ ReportPicture baseline_flips(const PictureCommand& command) {
     };
     const auto i = static_cast<std::size_t>(find(ours)), k = static_cast<std::size_t>(find(theirs));
     if (i == ours.names.size() || k == theirs.names.size()) continue;
-    const TriangleTree input(read_shape(file, LengthUnit::millimetre).mesh);
+    const TriangleTree input(read_shape(file, LengthUnit::millimetre, RepairOptions()).mesh);
     const auto with_flips = [&](const CorrespondingFolder& folder, std::size_t index) {
       FlippedMesh mesh{{folder.shapes[index], folder.triangles}, {}};
       const Mesh corresponding = build_mesh(mesh.soup);

@@ -53,6 +53,19 @@ ReportTable left_out_table(const ordered_json& run) {
   return table;
 }
 
+ReportTable repairs_table(const ordered_json& run) {
+  ReportTable table{
+      "Repaired",
+      "These files could not be used as they are. Their distances are measured to the repaired surface, "
+      "which differs from the file's at the places named.",
+      {"shape", "changes"},
+      {}};
+  for (const ordered_json& shape : run.at("shapes"))
+    if (shape.contains("repair"))
+      table.rows.push_back({shape.at("name").get<std::string>(), shape.at("reason").get<std::string>()});
+  return table;
+}
+
 std::string flips_line(const ordered_json& run, const Evaluation& evaluation) {
   int map_flips = 0, plain = 0, confirmed = 0;
   for (const ordered_json& shape : run.at("shapes"))
@@ -182,16 +195,17 @@ std::string model_page(const ordered_json& run, const Evaluation& evaluation, co
   ReportSection summary{.title = "Summary", .findings = summary_lines(run, evaluation)};
   if (ReportTable table = left_out_table(run); !table.rows.empty())
     summary.tables.push_back(std::move(table));
+  if (ReportTable table = repairs_table(run); !table.rows.empty()) summary.tables.push_back(std::move(table));
   if (ReportTable table = refit_failures_table(evaluation); !table.rows.empty())
     summary.tables.push_back(std::move(table));
   page.sections.push_back(std::move(summary));
   page.sections.push_back(pictures_section(atlas, model));
   page.sections.push_back(
       {.title = "Evaluation",
-       .paragraphs =
-           {"Distances are measured to the original input surfaces. Bars are standard errors of the "
-            "mean. Specificity alone rewards a model that lost variance: read it beside the total "
-            "variance and the representation error."},
+       .paragraphs = {"Distances are measured to the input surfaces (repaired where it says so). Bars are "
+                      "standard errors of the "
+                      "mean. Specificity alone rewards a model that lost variance: read it beside the total "
+                      "variance and the representation error."},
        .charts = model_charts(curves)});
   page.sections.push_back({.title = "Shapes", .tables = {shapes_table(run, evaluation)}});
   page.sections.push_back({.title = "Figures", .tables = model_tables(curves)});

@@ -85,6 +85,12 @@ void require_plausible_size(double diagonal, LengthUnit unit, bool unit_is_known
   throw InvalidInput(message);
 }
 
+TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
+  if (unit != LengthUnit::millimetre)
+    for (Vec3& p : soup.points) p *= millimetres_per(unit);
+  return soup;
+}
+
 // What names a file's shapes: equal ones clash. A label map's shapes have longer names than it.
 std::pair<std::string, bool> stem_of(const fs::path& file) {
   const bool label_map = is_label_map(file);
@@ -119,13 +125,14 @@ std::string source_text(const std::string& file_name, std::optional<int> label) 
   return label ? file_name + ", label " + std::to_string(*label) : file_name;
 }
 
-void read_meshes(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx, Cohort& cohort) {
+void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
+                 const std::optional<RepairOptions>& repair, const RunContext& ctx, Cohort& cohort) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
     const fs::path& file = files[static_cast<std::size_t>(i)];
     auto& result = results[static_cast<std::size_t>(i)];
     try {
-      result = read_shape(file, unit);
+      result = read_shape(file, unit, repair, RunContext(1));
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
@@ -143,7 +150,8 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit, const RunC
 // Adds the labels of one label map after the other to a cohort, so that one at a time is in memory.
 class LabelMapReader {
  public:
-  LabelMapReader(const LabelRequest& request, Cohort& cohort) : request_(request), cohort_(cohort) {}
+  LabelMapReader(const LabelRequest& request, const std::optional<RepairOptions>& repair, Cohort& cohort)
+      : request_(request), repair_(repair), cohort_(cohort) {}
 
   void read(const fs::path& file, const RunContext& ctx) {
     const std::string name = file.filename().string();
@@ -162,7 +170,7 @@ class LabelMapReader {
     }
     for (LabelSurface& label : labels.surfaces) {
       present_.insert(label.label);
-      add(name, labels.sha256, label);
+      add(name, labels.sha256, label, ctx);
     }
     for (const RefusedLabel& refused : labels.refused)
       if (!refused.absent) present_.insert(refused.label);
@@ -176,7 +184,8 @@ class LabelMapReader {
   }
 
  private:
-  void add(const std::string& file_name, const std::string& sha256, LabelSurface& label) {
+  void add(const std::string& file_name, const std::string& sha256, LabelSurface& label,
+           const RunContext& ctx) {
     InputShape shape;
     shape.stem = label.stem;
     shape.file_name = file_name;
@@ -185,13 +194,15 @@ class LabelMapReader {
     shape.extraction = label.extracted.report;
     try {
       cohort_.shapes.push_back(
-          usable_shape(std::move(shape), std::move(label.extracted.surface), LengthUnit::millimetre));
+          usable_shape(std::move(shape), std::move(label.extracted.surface),
+                                             LengthUnit::millimetre, repair_, ctx));
     } catch (const InvalidInput& e) {
       cohort_.left_out.push_back({label.stem, file_name, sha256, e.what(), label.label});
     }
   }
 
   const LabelRequest& request_;
+  const std::optional<RepairOptions>& repair_;
   Cohort& cohort_;
   std::map<int, std::string> absent_;
   std::set<int> present_;
@@ -214,21 +225,35 @@ std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
 std::string source_of(const InputShape& shape) { return source_text(shape.file_name, shape.label); }
 std::string source_of(const LeftOut& shape) { return source_text(shape.file_name, shape.label); }
 
-InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit) {
+RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
+                            const RunContext& ctx) {
+  // Stray pieces may make it too large for a vertebra, but not so that another unit fits.
+  const double diagonal = inspect_mesh(raw).box.diagonal();
+  if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit, false);
+  RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);
+  require_plausible_size(bounding_box(repaired.mesh.positions()).diagonal() / millimetres_per(unit), unit, false);
+  return repaired;
+}
+
+InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
+                        const std::optional<RepairOptions>& repair, const RunContext& ctx) {
   const MeshReport report = inspect_mesh(surface);
-  if (const auto obstacle = obstacle_to_model(report))
-    throw TopologyError(obstacle->finding + "; " + obstacle->remedy);
+  if (const auto obstacle = obstacle_to_model(report)) {
+    if (!repair) throw TopologyError(obstacle->finding + "; " + obstacle->remedy);
+    RepairedMesh repaired = repair_surface(std::move(surface), unit, *repair, ctx);
+    shape.repair = std::move(repaired.report);
+    shape.mesh = std::move(repaired.mesh);
+    return shape;
+  }
   require_plausible_size(report.box.diagonal(), unit, shape.label.has_value());
-  const double scale = millimetres_per(unit);
-  if (unit != LengthUnit::millimetre)
-    for (Vec3& p : surface.points) p *= scale;
-  shape.mesh = build_mesh(std::move(surface));
+  shape.mesh = build_mesh(in_millimetres(std::move(surface), unit));
   shape.was_inward = report.inward;
   if (shape.was_inward) shape.mesh = reversed(shape.mesh);
   return shape;
 }
 
-InputShape read_shape(const fs::path& file, LengthUnit unit) {
+InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional<RepairOptions>& repair,
+                      const RunContext& ctx) {
   InputShape shape;
   shape.stem = file.stem().string();
   shape.file_name = file.filename().string();
@@ -236,7 +261,7 @@ InputShape read_shape(const fs::path& file, LengthUnit unit) {
   shape.sha256 = sha256_of_file(file);
   shape.space = read.space.value_or(AnatomicalSpace::lps);
   try {
-    return usable_shape(std::move(shape), std::move(read.soup), unit);
+    return usable_shape(std::move(shape), std::move(read.soup), unit, repair, ctx);
   } catch (const TopologyError& e) {
     throw TopologyError(file.string() + ": " + e.what());
   } catch (const InvalidInput& e) {
@@ -245,10 +270,10 @@ InputShape read_shape(const fs::path& file, LengthUnit unit) {
 }
 
 Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx,
-                   const LabelRequest& labels) {
+                   const LabelRequest& labels, const std::optional<RepairOptions>& repair) {
   Cohort cohort;
   std::vector<fs::path> meshes;
-  LabelMapReader label_maps(labels, cohort);
+  LabelMapReader label_maps(labels, repair, cohort);
   for (const fs::path& file : files) {
     if (is_label_map(file))
       label_maps.read(file, ctx);
@@ -256,7 +281,7 @@ Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const Ru
       meshes.push_back(file);
   }
   label_maps.require_singles();
-  read_meshes(meshes, unit, ctx, cohort);
+  read_meshes(meshes, unit, repair, ctx, cohort);
   const auto by_stem = [](const auto& a, const auto& b) { return a.stem < b.stem; };
   std::stable_sort(cohort.shapes.begin(), cohort.shapes.end(), by_stem);
   std::stable_sort(cohort.left_out.begin(), cohort.left_out.end(), by_stem);

@@ -14,6 +14,7 @@
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
 #include "foramen/pipeline/refit.hpp"
+#include "foramen/pipeline/repair_record.hpp"
 #include "pipeline/run_json.hpp"
 
 namespace foramen {
@@ -85,9 +86,12 @@ void add_refit_notes(std::vector<std::string>& notes, const std::optional<RefitG
 
 std::vector<std::string> notes_on(const ModelBuild& build, const Evaluation& evaluation) {
   std::vector<std::string> notes;
-  for (const ShapeOutcome& shape : build.shapes)
+  for (const ShapeOutcome& shape : build.shapes) {
     if (shape.input.was_inward)
       notes.push_back(source_of(shape.input) + ": triangles were wound inward; reversed");
+    if (shape.input.repair)
+      notes.push_back(source_of(shape.input) + ": repaired: " + summary(*shape.input.repair));
+  }
   if (build.remaining_flips > 0)
     notes.push_back(std::to_string(build.remaining_flips) +
                     " landmark triangles are flipped or degenerate on some shape and could not be mended "
@@ -118,7 +122,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
     throw InvalidInput("there is no label map among the inputs: leave out the options for label maps");
   prepare_folder(request.output);
   ctx.step("read", 0);
-  Cohort read = read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}));
+  Cohort read = read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}), request.repair);
   const std::vector<std::string> reading_notes = std::move(read.notes);
   ModelBuild build = build_model(std::move(read), request.build, ctx);
 

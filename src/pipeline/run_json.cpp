@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "foramen/pipeline/repair_record.hpp"
 #include "foramen/pipeline/version.hpp"
 
 namespace foramen {
@@ -36,6 +37,10 @@ ordered_json shape_json(const ModelBuild& build, std::size_t i, const Evaluation
                       {"reason", shape.input.was_inward ? "wound inward; reversed" : ""},
                       {"seconds", shape.seconds},
                       {"alignment_residual_mm", registration.alignment.residual}};
+  if (shape.input.repair) {
+    out["reason"] = "repaired: " + summary(*shape.input.repair);
+    out["repair"] = repair_json(*shape.input.repair);
+  }
   if (torus || is_reference) {
     out["iterations"] = registration.shape_map.iterations;
     out["energy_initial"] = registration.shape_map.initial_energy;

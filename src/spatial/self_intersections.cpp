@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <optional>
 
+#include "foramen/core/error.hpp"
 #include "spatial/orientation.hpp"
 
 namespace foramen {
@@ -168,12 +170,17 @@ bool intersect(const Mesh& mesh, FaceId f, FaceId g) {
 
 }  // namespace
 
-std::vector<std::pair<FaceId, FaceId>> self_intersections(const TriangleTree& surface) {
+std::vector<std::pair<FaceId, FaceId>> self_intersections(const TriangleTree& surface,
+                                                          const SelfIntersectionsOptions& options) {
   const Mesh& mesh = surface.mesh();
   FaceMap<char> has_area(mesh.face_count());
   for (FaceId f : mesh.faces()) has_area[f] = dispensable_axis(mesh.triangle(f)).has_value();
   std::vector<std::pair<FaceId, FaceId>> pairs;
+  const std::int64_t limit = std::int64_t(options.most_overlaps_per_triangle) * mesh.face_count();
+  std::int64_t overlaps = 0;
   surface.for_each_overlap([&](FaceId f, FaceId g) {
+    if (++overlaps > limit && limit > 0)
+      throw ConvergenceError("the surface runs through itself in too many places to list them");
     if (has_area[f] && has_area[g] && intersect(mesh, f, g)) pairs.emplace_back(f, g);
   });
   std::sort(pairs.begin(), pairs.end());

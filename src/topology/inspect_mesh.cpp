@@ -143,14 +143,13 @@ BoundingBox box_of(const TriangleSoup& soup, const std::vector<Triangle>& triang
 }
 
 void measure(const TriangleSoup& soup, const std::vector<Triangle>& triangles, MeshReport& report) {
-  constexpr double degenerate_share = 1e-12;  // of the squared diagonal
-  const double diagonal = report.box.diagonal(), smallest_area = degenerate_share * diagonal * diagonal;
+  const double smallest_area = degenerate_area(report.box.diagonal());
   const Vec3 origin = report.box.low;  // near the surface, so that no digits are lost
   for (const Triangle& triangle : triangles) {
     const std::array<Vec3, 3> t = corners_of(soup, triangle);
     if (!all_finite(t)) continue;
     const double a = area(t);
-    if (a < smallest_area || !(a > 0)) ++report.degenerate_triangles;
+    if (!(a > smallest_area)) ++report.degenerate_triangles;
     report.area += a;
     report.volume += (t[0] - origin).dot((t[1] - origin).cross(t[2] - origin)) / 6;
   }
@@ -253,6 +252,11 @@ MeshReport inspect_mesh(const TriangleSoup& soup) {
     report.genus = (2 - report.euler_number) / 2;
   report.inward = report.closed() && report.oriented() && report.volume < 0;
   return report;
+}
+
+double degenerate_area(double diagonal) {
+  constexpr double degenerate_share = 1e-12;
+  return degenerate_share * diagonal * diagonal;
 }
 
 std::optional<Obstacle> obstacle_to_model(const MeshReport& report) {

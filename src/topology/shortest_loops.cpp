@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
@@ -36,8 +37,13 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 // of b.
 class Search {
  public:
-  Search(const Mesh& mesh, const EdgeMap<double>& lengths)
+  /// \param counted  how many of the loops of a basepoint, the shortest first, are to be short together; 0:
+  /// all
+  Search(const Mesh& mesh, const EdgeMap<double>& lengths, int counted)
       : mesh_(mesh), graph_(mesh, lengths), loops_(graph_.loop_count()) {
+    if (loops_ == 0)
+      throw TopologyError("a sphere has no loops to cut it open: needs genus 1 or more, found 0");
+    if (counted > 0) loops_ = counted;
     open_.resize(at(mesh.vertex_count()));
     std::iota(open_.begin(), open_.end(), 0);
     std::sort(open_.begin(), open_.end(),
@@ -48,7 +54,6 @@ class Search {
     for (int k = 0; k < batch_size; ++k) scratch_.push_back(graph_.scratch());
   }
 
-  int loop_count() const { return loops_; }
   bool done() const { return open_.empty(); }
   double fraction_done() const {
     return 1 - static_cast<double>(open_.size()) / static_cast<double>(bound_.size());
@@ -101,7 +106,7 @@ class Search {
   }
 
   void note(int basepoint, const LoopScratch& s) {
-    const double length = std::accumulate(s.loop_lengths.begin(), s.loop_lengths.end(), 0.0);
+    const double length = std::accumulate(s.loop_lengths.begin(), s.loop_lengths.begin() + loops_, 0.0);
     shortest_ = found_.empty() ? length : std::min(shortest_, length);
     found_.push_back({basepoint, length});
     evaluated_[at(basepoint)] = 1;
@@ -124,7 +129,7 @@ class Search {
 
   const Mesh& mesh_;
   LoopGraph graph_;
-  int loops_;                   // 2g
+  int loops_;                   // whose lengths count: at most 2g
   std::vector<int> open_;       // basepoints that may still win, by position
   std::vector<double> bound_;   // per vertex
   std::vector<double> bounds_;  // per vertex and loop
@@ -134,13 +139,10 @@ class Search {
   std::vector<LoopScratch> scratch_;
 };
 
-}  // namespace
-
-ShortestLoopsResult shortest_loops(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx,
-                                   const ShortestLoopsOptions& options) {
-  Search search(mesh, lengths);
-  if (search.loop_count() == 0)
-    throw TopologyError("a sphere has no loops to cut it open: needs genus 1 or more, found 0");
+// The best basepoint, and how many were evaluated.
+std::pair<VertexId, int> best_basepoint(const Mesh& mesh, const EdgeMap<double>& lengths, int counted,
+                                        const RunContext& ctx, const ShortestLoopsOptions& options) {
+  Search search(mesh, lengths, counted);
   while (!search.done()) {
     if (options.evaluation_limit > 0 && search.evaluations() >= options.evaluation_limit)
       throw ConvergenceError("the shortest loops are not found after " +
@@ -149,7 +151,38 @@ ShortestLoopsResult shortest_loops(const Mesh& mesh, const EdgeMap<double>& leng
     search.evaluate_batch(ctx);
     ctx.step("shortest loops", search.fraction_done());
   }
-  return {greedy_loops(mesh, search.best(), lengths), search.evaluations()};
+  return {search.best(), search.evaluations()};
+}
+
+// Without steps that are taken back at once, round the end too: edges of no length allow them.
+EdgeLoop without_spurs(const Mesh& mesh, const EdgeLoop& loop) {
+  EdgeLoop out;
+  for (HalfedgeId h : loop) {
+    if (!out.empty() && out.back() == mesh.twin(h))
+      out.pop_back();
+    else
+      out.push_back(h);
+  }
+  std::size_t first = 0, last = out.size();
+  while (last - first >= 2 && out[first] == mesh.twin(out[last - 1])) {
+    ++first;
+    --last;
+  }
+  return {out.begin() + static_cast<std::ptrdiff_t>(first), out.begin() + static_cast<std::ptrdiff_t>(last)};
+}
+
+}  // namespace
+
+ShortestLoopsResult shortest_loops(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx,
+                                   const ShortestLoopsOptions& options) {
+  const auto [basepoint, evaluations] = best_basepoint(mesh, lengths, 0, ctx, options);
+  return {greedy_loops(mesh, basepoint, lengths), evaluations};
+}
+
+EdgeLoop shortest_loop(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx,
+                       const ShortestLoopsOptions& options) {
+  const VertexId basepoint = best_basepoint(mesh, lengths, 1, ctx, options).first;
+  return without_spurs(mesh, greedy_loops(mesh, basepoint, lengths).loops.front());
 }
 
 }  // namespace foramen

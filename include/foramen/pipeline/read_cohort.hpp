@@ -11,6 +11,7 @@
 #include "foramen/core/units.hpp"
 #include "foramen/extract/extract_labels.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "foramen/repair/repair_mesh.hpp"
 
 namespace foramen {
 
@@ -24,6 +25,7 @@ struct InputShape {
   bool was_inward = false;                  ///< the file's triangles were wound inward and have been reversed
   std::optional<int> label = std::nullopt;  ///< of a label map
   ExtractionReport extraction = {};         ///< if so
+  std::optional<RepairReport> repair = std::nullopt;  ///< what was changed, if the surface as it is could not be used
   Mesh mesh;
 };
 
@@ -56,15 +58,26 @@ std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesy
 
 /// Reads and audits each file: meshes in that unit, and of label maps the labels asked for. What cannot be
 /// used is left out with its reason; nothing is thrown for one bad file. Throws InvalidInput if two shapes
-/// have the same stem, or if a label named singly is in none of the label maps.
+/// have the same stem, or if a label named singly is in none of the label maps. \param repair  set: what the
+/// audit refuses is repaired
 Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx,
-                   const LabelRequest& labels = {});
+                   const LabelRequest& labels = {}, const std::optional<RepairOptions>& repair = std::nullopt);
 
-/// The surface as that of a shape whose other members are set. Throws InvalidInput with the reason if it
-/// cannot be used. Surfaces of files and of labels both come through here.
-InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit);
+/// The surface as that of a shape whose other members are set; repaired, if that is asked for and needed.
+/// Throws InvalidInput with the reason if it cannot be used. Surfaces of files and of labels both come through
+/// here.
+InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
+                        const std::optional<RepairOptions>& repair = std::nullopt,
+                        const RunContext& ctx = RunContext());
+
+/// A raw surface repaired, in mm. Throws InvalidInput as repair_mesh does, and where the size is that of no
+/// vertebra in this unit.
+RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
+                            const RunContext& ctx);
 
 /// One surface fit for a model, or the reason why not as an InvalidInput or IoError.
-InputShape read_shape(const std::filesystem::path& file, LengthUnit unit);
+InputShape read_shape(const std::filesystem::path& file, LengthUnit unit,
+                      const std::optional<RepairOptions>& repair = std::nullopt,
+                      const RunContext& ctx = RunContext());
 
 }  // namespace foramen

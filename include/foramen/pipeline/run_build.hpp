@@ -17,6 +17,7 @@ struct BuildRequest {
   LengthUnit unit = LengthUnit::millimetre;   ///< of the meshes among them
   std::optional<LabelRequest> labels =
       std::nullopt;  ///< of the label maps among them; unset: all with a name
+  std::optional<RepairOptions> repair = std::nullopt;  ///< set: what the audit refuses is repaired
   BuildOptions build = {};
   EvaluationOptions evaluation = {};
   bool refit = false;             ///< also refit_generalization(): as many builds as there are shapes

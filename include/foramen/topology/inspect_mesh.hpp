@@ -22,7 +22,7 @@ struct MeshReport {
   int non_manifold_vertices = 0;  ///< triangles do not form one fan
   int misoriented_edges = 0;      ///< two triangles run along the edge in the same direction
   int degenerate_triangles =
-      0;  ///< area below 1e-12 of the squared bounding-box diagonal, or a repeated corner
+      0;  ///< area no more than 1e-12 of the squared bounding-box diagonal, or a repeated corner
   int duplicate_triangles = 0;  ///< the same three corners as an earlier one
   int duplicate_vertices = 0;   ///< exactly the coordinates of an earlier one
   int euler_number = 0;         ///< V - E + F of the used vertices
@@ -39,6 +39,9 @@ struct MeshReport {
 };
 
 MeshReport inspect_mesh(const TriangleSoup& soup);
+
+/// A triangle of this area or less is degenerate on a surface whose bounding box has this diagonal.
+double degenerate_area(double diagonal);
 
 /// Why this surface cannot be used for a model, and what to do about it; empty if it can (one closed,
 /// manifold, oriented genus-1 surface of finite, valid elements; inward winding is not an obstacle).

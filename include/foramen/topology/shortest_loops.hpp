@@ -48,6 +48,11 @@ struct ShortestLoopsResult {
 ShortestLoopsResult shortest_loops(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx,
                                    const ShortestLoopsOptions& options = {});
 
+/// The shortest loop at all that is not homologous to zero; cutting along it leaves the surface in one piece.
+/// It meets no vertex twice. Found, tied and refused as shortest_loops: the first loop of the best basepoint.
+EdgeLoop shortest_loop(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx,
+                       const ShortestLoopsOptions& options = {});
+
 /// Exhaustive search: the slow, obvious oracle.
 LoopSystem shortest_loops_exhaustive(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx);
 

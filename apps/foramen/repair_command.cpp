@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/io/mesh_file.hpp"
+#include "foramen/pipeline/read_cohort.hpp"
+#include "foramen/pipeline/repair_record.hpp"
+#include "repair_options.hpp"
+
+namespace foramen::app {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct RepairCommand {
+  std::string input, output;
+  LengthUnit unit = LengthUnit::millimetre;
+  RepairOptions repair;
+  Console console;
+};
+
+using Writer = void (*)(const std::filesystem::path&, const TriangleSoup&, AnatomicalSpace);
+
+Writer writer_for(const std::string& output) {
+  std::string extension = std::filesystem::path(output).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".ply") return write_ply;
+  if (extension == ".vtp") return write_vtp;
+  throw InvalidInput(output + ": a repaired surface is written as .ply or .vtp; give such a name with -o");
+}
+
+ordered_json as_json(const RepairCommand& command, const RepairedMesh& repaired) {
+  ordered_json out = {{"input", command.input}, {"output", command.output}};
+  out.update(repair_json(repaired.report));
+  out["vertices"] = repaired.mesh.vertex_count();
+  out["triangles"] = repaired.mesh.face_count();
+  ordered_json origin = ordered_json::array();
+  for (VertexId raw : repaired.origin) origin.push_back(raw.index);
+  out["origin"] = std::move(origin);
+  return out;
+}
+
+void print(const RepairCommand& command, const RepairedMesh& repaired) {
+  const Console& console = command.console;
+  const RepairReport& report = repaired.report;
+  console.say(command.input + ": " + summary(report));
+  console.say("the canal: " + description(report.canal));
+  if (report.largest_move_mm > 0)
+    console.say("no vertex that was kept moved by more than " + std::to_string(report.largest_move_mm) +
+                " mm");
+  console.say("wrote " + command.output + ": " + std::to_string(repaired.mesh.vertex_count()) +
+              " vertices, " + std::to_string(repaired.mesh.face_count()) + " triangles, genus 1");
+}
+
+int repair(const RepairCommand& command) {
+  const Writer write = writer_for(command.output);
+  MeshFile file = read_mesh(command.input);
+  const RepairedMesh repaired = [&] {
+    try {
+      return repair_surface(std::move(file.soup), command.unit, command.repair, command.console.context());
+    } catch (const InvalidInput& e) {
+      throw InvalidInput(command.input + ": " + e.what());
+    }
+  }();
+  TriangleSoup soup = repaired.mesh.soup();
+  if (command.unit != LengthUnit::millimetre)
+    for (Vec3& p : soup.points) p /= millimetres_per(command.unit);
+  write(command.output, soup, file.space.value_or(AnatomicalSpace::lps));
+  if (command.console.json)
+    std::cout << as_json(command, repaired).dump(2) << '\n';
+  else
+    print(command, repaired);
+  if (const auto& meeting = repaired.report.remaining_self_intersections; !meeting.empty())
+    command.console.warn(std::to_string(meeting.size()) +
+                         " pairs of triangles meet still; mend the segmentation there");
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_unit_option(CLI::App& command, LengthUnit& unit) {
+  add_choice<LengthUnit>(command, "--units", unit,
+                         {{"mm", LengthUnit::millimetre},
+                          {"cm", LengthUnit::centimetre},
+                          {"m", LengthUnit::metre},
+                          {"um", LengthUnit::micrometre}},
+                         "unit of the input files");
+}
+
+std::vector<CLI::Option*> add_repair_options(CLI::App& command, RepairOptions& options) {
+  CLI::Option* handles =
+      command
+          .add_option("--handle-limit", options.handles.noise_mm,
+                      "an extra handle is noise if both its loops are at most this long [mm]")
+          ->check(CLI::PositiveNumber)
+          ->capture_default_str();
+  CLI::Option* holes = command
+                           .add_option("--hole-limit", options.hole_perimeter_mm,
+                                       "a hole is filled if its border is at most this long [mm]")
+                           ->check(CLI::PositiveNumber)
+                           ->capture_default_str();
+  return {handles, holes};
+}
+
+void add_repair(CLI::App& program, Run& run) {
+  auto options = std::make_shared<RepairCommand>();
+  CLI::App* command = program.add_subcommand("repair",
+                                             "makes a surface one closed, manifold, outward surface of genus "
+                                             "1; lists what was changed: duplicate vertices "
+                                             "and triangles, triangles without area, non-manifold edges and "
+                                             "vertices, small holes, stray pieces, inner "
+                                             "shells, orientation, self-intersections, noise handles");
+  command->add_option("input", options->input, "mesh file")->required();
+  command->add_option("-o,--output", options->output, "file to write, .ply or .vtp")->required();
+  add_unit_option(*command, options->unit);
+  add_repair_options(*command, options->repair);
+  add_console_options(*command, options->console);
+  command->callback([options, &run] { run = [options] { return repair(*options); }; });
+}
+
+}  // namespace foramen::app

@@ -1,0 +1,42 @@
+#include "repair/loop_surgery.hpp"
+
+#include "foramen/core/geometry.hpp"
+
+namespace foramen::repair_detail {
+
+Vec3 loop_centre(const Mesh& mesh, const EdgeLoop& loop) {
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
+  for (HalfedgeId h : loop) {
+    const Vec3 &a = mesh.position(mesh.from(h)), &b = mesh.position(mesh.to(h));
+    sum += (b - a).norm() * (a + b) / 2;
+    length += (b - a).norm();
+  }
+  return length > 0 ? Vec3(sum / length) : mesh.position(mesh.from(loop.front()));
+}
+
+Mesh cut_and_closed(const Mesh& mesh, const EdgeLoop& loop) {
+  TriangleSoup soup = mesh.soup();
+  VertexMap<int> right(mesh.vertex_count(), -1);  // the copy of a loop vertex that the faces right of it get
+  for (HalfedgeId h : loop) {
+    right[mesh.from(h)] = static_cast<int>(soup.points.size());
+    soup.points.push_back(mesh.position(mesh.from(h)));
+  }
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const HalfedgeId arriving = loop[i], leaving = loop[(i + 1) % loop.size()];
+    // Counter-clockwise from the way back to the way on.
+    for (HalfedgeId h = mesh.twin(arriving); h != leaving; h = mesh.rotated(h))
+      soup.triangles[static_cast<std::size_t>(h.index / 3)][static_cast<std::size_t>(h.index % 3)] =
+          right[mesh.from(h)];
+  }
+  const int left_tip = static_cast<int>(soup.points.size()), right_tip = left_tip + 1;
+  soup.points.insert(soup.points.end(), 2, loop_centre(mesh, loop));
+  for (HalfedgeId h : loop) {
+    const VertexId a = mesh.from(h), b = mesh.to(h);
+    soup.triangles.push_back({b.index, a.index, left_tip});
+    soup.triangles.push_back({right[a], right[b], right_tip});
+  }
+  return build_mesh(std::move(soup));
+}
+
+}  // namespace foramen::repair_detail
