@@ -19,7 +19,7 @@ struct BuildCommand {
   std::string output;
   std::string truth;
   LengthUnit unit = LengthUnit::millimetre;
-  bool refit = false, strict = false, repair = false;
+  bool refit = false, resume = false, strict = false, repair = false;
   RepairOptions repair_options;
   Console console;
 };
@@ -35,6 +35,7 @@ int build(const BuildCommand& command) {
   request.build = command.build;
   request.evaluation = command.flags.evaluation;
   request.refit = command.refit;
+  request.resume = command.resume;
   request.subject_pattern = command.flags.subject_pattern;
   request.canonical_command = command.console.command;
   return finish_build(request, command.console, command.strict);
@@ -43,8 +44,8 @@ int build(const BuildCommand& command) {
 }  // namespace
 
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
-  static const std::vector<std::string> without{"--output", "--truth", "--threads", "--json",
-                                                "--quiet",  "inputs",  "--help"};
+  static const std::vector<std::string> without{"--output", "--truth", "--threads", "--resume",
+                                                "--json",   "--quiet", "inputs",    "--help"};
   std::string text = "foramen " + command.get_name();
   for (const std::string& input : inputs)
     text += " " + fs::path(input).lexically_normal().filename().string();
@@ -170,6 +171,9 @@ void add_build(CLI::App& program, Run& run) {
   command->add_flag("--refit", options->refit,
                     "generalization with the correspondence computed anew without each shape (and each "
                     "subject): as many more builds as there are shapes (and subjects)");
+  command->add_flag("--resume", options->resume,
+                    "go on with an interrupted build into the same folder: what it had finished is taken up "
+                    "if inputs, options and program are the same");
   command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {

@@ -5,11 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "evaluate/error_archive.hpp"
 #include "evaluate/measured_surface.hpp"
 #include "evaluate/pruned_distance.hpp"
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
+#include "foramen/core/stage_store.hpp"
 
 namespace foramen {
 namespace {
@@ -130,11 +132,15 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
 
   const std::vector<int> counts = mode_counts(remaining - 1);
   std::vector<std::vector<ShapeError>> errors(cohort.corresponding.size());
+  const bool by_subject = options.leave_out == LeaveOut::subject;
   detail::StageProgress progress(ctx, "generalization", cohort.size());
   parallel_for(cohort.size(), ctx, [&](int i) {
     const auto s = static_cast<std::size_t>(i);
-    errors[s] =
-        unseen_errors(cohort.corresponding[s], cohort.inputs[s], models[group_of[s]], counts, options);
+    errors[s] = kept<std::vector<ShapeError>>(
+        ctx, (by_subject ? "generalization by subject " : "generalization ") + std::to_string(i), [&] {
+          return unseen_errors(cohort.corresponding[s], cohort.inputs[s], models[group_of[s]], counts,
+                               options);
+        });
     progress.finished_one();
   });
 

@@ -8,16 +8,19 @@
 #include <utility>
 
 #include "evaluate/closest_shape.hpp"
+#include "evaluate/error_archive.hpp"
 #include "evaluate/measured_surface.hpp"
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
+#include "foramen/core/stage_store.hpp"
 
 namespace foramen {
 namespace {
 
 using detail::MeasuredSurface;
 
+constexpr int block_draws = 5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // The table of distances is as fine as this part of the middle surface's diagonal when there are as many
 // surfaces to measure as this; for fewer it is coarser, since it has to pay for itself.
@@ -87,6 +90,12 @@ class Ensemble {
     return errors;
   }
 
+  /// What all draws so far have found, by number of modes and shape.
+  std::vector<double> found() const { return {smallest_.begin(), smallest_.end()}; }
+  void found_before(const std::vector<double>& found) {
+    for (std::size_t i = 0; i < found.size(); ++i) lower(smallest_[i], found[i]);
+  }
+
   std::vector<double> nearest_draw(std::size_t k) {
     std::vector<double> nearest;
     for (std::size_t i = 0; i < landmarks_.size(); ++i) nearest.push_back(smallest(k, i).load());
@@ -113,6 +122,17 @@ class Ensemble {
   std::vector<std::atomic<double>> smallest_;  // numbers of modes x shapes
 };
 
+/// Draws that are measured one after another, and kept together.
+struct DrawBlock {
+  std::vector<std::vector<ShapeError>> errors;  // of each draw at every number of modes
+  std::vector<double> found;                    // Ensemble::found() after them
+};
+
+template <class Archive>
+void transfer(Archive& archive, MaybeConst<DrawBlock> auto& block) {
+  archive(block.errors, block.found);
+}
+
 void check_options(const SpecificityOptions& options) {
   if (options.draws <= 0)
     throw InvalidInput("specificity: " + std::to_string(options.draws) + " draws asked for; give 1 or more");
@@ -129,17 +149,28 @@ Specificity specificity(const AlignedCohort& cohort, int last_mode, const Specif
   const std::vector<int> counts = mode_counts(last_mode);
   Ensemble ensemble(cohort, counts, options, ctx);
   const Rng root(options.seed);
-  std::vector<std::vector<ShapeError>> errors(static_cast<std::size_t>(options.draws));
+  std::vector<DrawBlock> blocks(static_cast<std::size_t>((options.draws + block_draws - 1) / block_draws));
   detail::StageProgress progress(ctx, "specificity", options.draws);
-  parallel_for(options.draws, ctx, [&](int draw) {
-    errors[static_cast<std::size_t>(draw)] = ensemble.measure(root.fork(static_cast<std::uint64_t>(draw)));
-    progress.finished_one();
+  parallel_for(static_cast<int>(blocks.size()), ctx, [&](int b) {
+    DrawBlock& block = blocks[static_cast<std::size_t>(b)];
+    block = kept<DrawBlock>(ctx, "specificity " + std::to_string(b), [&] {
+      DrawBlock measured;
+      for (int draw = b * block_draws; draw < std::min(options.draws, (b + 1) * block_draws); ++draw) {
+        ctx.check();
+        measured.errors.push_back(ensemble.measure(root.fork(static_cast<std::uint64_t>(draw))));
+      }
+      measured.found = ensemble.found();
+      return measured;
+    });
+    ensemble.found_before(block.found);
+    for (std::size_t i = 0; i < block.errors.size(); ++i) progress.finished_one();
   });
 
   Specificity result;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     std::vector<ShapeError> items;
-    for (const auto& of_draw : errors) items.push_back(of_draw[k]);
+    for (const DrawBlock& block : blocks)
+      for (const auto& of_draw : block.errors) items.push_back(of_draw[k]);
     result.by_modes.push_back(errors_at_modes(counts[k], std::move(items)));
     if (options.hausdorff) result.nearest_draw.push_back(ensemble.nearest_draw(k));
   }

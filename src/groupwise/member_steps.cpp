@@ -60,11 +60,14 @@ OptimiseMapOptions MemberSteps::optimise_options() const {
           .iteration_limit = options_.iteration_limit};
 }
 
+WorkingMesh MemberSteps::simplified(const Mesh& input) const {
+  return simplify(input, single_, {.target_vertices = options_.working_vertices});
+}
+
 void MemberSteps::begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to) const {
   RegisteredShape& result = member.result;
   result.alignment = to_reference;
   member.to_template = result.alignment.transform;
-  member.working = simplify(*member.input, single_, {.target_vertices = options_.working_vertices});
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
   member.bent = bent_onto(aligned, to, options_.first, {}, {});
 

@@ -21,16 +21,20 @@ struct PreparedTemplate {
   PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options);
 };
 
-/// A shape on its way. Meshes in the shape's own coordinates.
-struct Member {
-  const Mesh* input = nullptr;
+/// What the steps make of a shape, one after another: all that is kept of a finished step.
+struct MemberState {
   RegisteredShape result;
-  WorkingMesh working;
   OptimisedMap map;  // of the working mesh
   RigidTransform to_template = RigidTransform::Identity();
+  std::vector<Vec3> bent;  // the template's vertices on the shape, in template coordinates
+};
+
+/// A shape on its way. Meshes in the shape's own coordinates.
+struct Member : MemberState {
+  const Mesh* input = nullptr;
+  WorkingMesh working;
   DisplacementPrior prior;      // of the template's displacement onto it
-  std::vector<Vec3> bent;       // the template's vertices on the shape, in template coordinates
-  std::vector<Vec3> attractor;  // the same for what the description length draws it to; empty: bent serves
+  std::vector<Vec3> attractor;  // as bent, what the description length draws it to; empty: bent serves
 };
 
 /// The steps of register_group() for one shape, on one thread. All of them need of other shapes only the
@@ -40,7 +44,9 @@ class MemberSteps {
   MemberSteps(const Reference& reference, const RunContext& ctx, const RegisterGroupOptions& options)
       : reference_(reference), single_(ctx.with_threads(1)), options_(options) {}
 
+  WorkingMesh simplified(const Mesh& input) const;
   /// The first map, from the rigid alignment to the reference, and its registration to the first template.
+  /// \pre the working mesh is there
   void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to) const;
   /// Another template's vertices where the map has the corresponding points. \pre to_template is up to date
   void place(Member& member, const PreparedTemplate& to) const;

@@ -14,6 +14,7 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/resample/torus_grid.hpp"
+#include "groupwise/member_archive.hpp"
 #include "groupwise/member_steps.hpp"
 
 namespace foramen {
@@ -47,7 +48,12 @@ class GroupRegistrar {
 
   GroupRegistration run() {
     const PreparedTemplate first = reference_template(reference_, options_, ctx_);
-    for_each_member("register", [&](int i) {
+    for_each_member("simplify", [&](int i) {
+      Member& member = members_[static_cast<std::size_t>(i)];
+      member.working = kept<WorkingMesh>(ctx_, "working mesh " + std::to_string(i),
+                                         [&] { return steps_.simplified(*member.input); });
+    });
+    advance_each_member("register", [&](int i) {
       Member& member = members_[static_cast<std::size_t>(i)];
       steps_.begin(member, alignment_of(i), first);
     });
@@ -67,18 +73,18 @@ class GroupRegistrar {
       group = {round + 1, std::move(next.surface), std::move(next.grid), {}};
       for_each_member("place", [&](int i) { steps_.place(members_[static_cast<std::size_t>(i)], *mean); });
       if (options_.bending == Bending::cohort) group.prior = learn_priors(*mean);
-      for_each_member("round " + std::to_string(round + 1),
-                      [&](int i) { steps_.again(members_[static_cast<std::size_t>(i)], *mean); });
+      advance_each_member("round " + std::to_string(round + 1),
+                          [&](int i) { steps_.again(members_[static_cast<std::size_t>(i)], *mean); });
     }
     for (int round = 0; round < options_.description_rounds; ++round) {
       describe(*last);
-      for_each_member("describe " + std::to_string(round + 1), [&](int i) {
+      advance_each_member("describe " + std::to_string(round + 1), [&](int i) {
         Member& member = members_[static_cast<std::size_t>(i)];
         steps_.improve(member, transformed(member.working.mesh, member.to_template), *last);
       });
     }
     if (options_.description_rounds > 0) describe(*last);
-    for_each_member("finish", [&](int i) { steps_.finish(members_[static_cast<std::size_t>(i)], *last); });
+    advance_each_member("finish", [&](int i) { steps_.finish(members_[static_cast<std::size_t>(i)], *last); });
     for (std::size_t i = 0; i < members_.size(); ++i)
       if (result_.members[i].failure.empty()) result_.members[i].registered = std::move(members_[i].result);
     return std::move(result_);
@@ -101,6 +107,17 @@ class GroupRegistrar {
       }
       member.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       ctx_.step(stage, static_cast<double>(++done) / static_cast<double>(members_.size()));
+    });
+  }
+
+  // The same for a step that brings the members on: what each has come to is kept, or was and is taken up.
+  void advance_each_member(const std::string& stage, const std::function<void(int)>& step) {
+    for_each_member(stage, [&](int i) {
+      MemberState& state = members_[static_cast<std::size_t>(i)];
+      state = kept<MemberState>(ctx_, stage + " " + std::to_string(i), [&] {
+        step(i);
+        return std::move(state);
+      });
     });
   }
 
@@ -199,6 +216,7 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
   const MemberSteps steps(reference, single, options);
   Member member;
   member.input = &shape;
+  member.working = steps.simplified(shape);
   const PreparedTemplate first = reference_template(reference, options, single);
   steps.begin(member, align(shape, reference.mesh(), single), first);
   if (group.rounds == 0) {

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "foramen/core/error.hpp"
 
@@ -35,13 +36,16 @@ class Descriptor {
   int fd_;
 };
 
+constexpr std::string_view temporary_mark = ".foramen-tmp";
+
 // Unique within this process by the counter, between processes by the process id. The extension stays, since
 // some libraries choose the format by it.
 fs::path temporary_beside(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
   std::string name = ".";
   name += path.stem().string();
-  name += '.' + std::to_string(::getpid()) + '-' + std::to_string(counter++) + ".tmp";
+  name += '.' + std::to_string(::getpid()) + '-' + std::to_string(counter++);
+  name += temporary_mark;
   name += path.extension().string();
   return path.parent_path() / name;
 }
@@ -123,6 +127,17 @@ void write_file_with(const fs::path& path, const std::function<void(const fs::pa
   if (!fs::is_regular_file(temporary.path(), ignored)) fail(path, "was not written", ENOENT);
   flush_to_disk(temporary.path(), O_RDONLY);
   temporary.rename_over_target();
+}
+
+void remove_leftovers(const fs::path& folder) {
+  std::error_code failed;
+  std::vector<fs::path> leftovers;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with('.') && name.find(temporary_mark) != std::string::npos)
+      leftovers.push_back(entry->path());
+  }
+  for (const fs::path& leftover : leftovers) fs::remove(leftover, failed);
 }
 
 }  // namespace foramen

@@ -10,6 +10,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
+#include "foramen/core/stage_store.hpp"
+#include "foramen/correspond/registered_archive.hpp"
 #include "pipeline/place_landmarks.hpp"
 
 namespace foramen {
@@ -90,13 +92,15 @@ Registrations register_each(const ModelBuild& build, std::vector<InputShape> inp
     outcome.input = std::move(inputs[k]);
     const Stopwatch watch;
     try {
+      const Mesh& mesh = outcome.input.mesh;
       if (i == reference)
         outcome.registration = reference_itself(build.reference_map);
-      else if (options.method == Method::icp)
-        outcome.registration = only_aligned(outcome.input.mesh, build.reference_map, single);
       else
-        outcome.registration =
-            register_shape(outcome.input.mesh, build.reference_map, single, options.registration);
+        outcome.registration = kept<RegisteredShape>(ctx, "register " + std::to_string(i), [&] {
+          return options.method == Method::icp
+                     ? only_aligned(mesh, build.reference_map, single)
+                     : register_shape(mesh, build.reference_map, single, options.registration);
+        });
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
@@ -195,7 +199,8 @@ ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunCont
   timed(build, "reference", [&] {
     ctx.step("reference", 0);
     const Mesh& mesh = cohort.shapes[static_cast<std::size_t>(reference)].mesh;
-    build.reference_map = map_reference(mesh, ctx, options.registration);
+    build.reference_map =
+        kept<Reference>(ctx, "reference", [&] { return map_reference(mesh, ctx, options.registration); });
   });
   timed(build, "register", [&] { register_all(build, std::move(cohort.shapes), reference, options, ctx); });
   timed(build, "resample", [&] {

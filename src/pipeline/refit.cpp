@@ -7,9 +7,11 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
+#include "foramen/core/stage_store.hpp"
 #include "foramen/correspond/icp_baseline.hpp"
 #include "foramen/resample/lift_to_surface.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "pipeline/model_archive.hpp"
 
 namespace foramen {
 namespace {
@@ -26,11 +28,17 @@ std::vector<Vec3> landmarks_by_icp(const Mesh& shape, const ModelBuild& build, c
       .points;
 }
 
-/// One shape that was left out, and the model that has not seen it.
-struct Refitted {
-  std::vector<Vec3> landmarks;
-  std::size_t model = 0;
+/// What a build without a group of shapes says of them.
+struct RefittedGroup {
+  std::vector<std::optional<std::vector<Vec3>>> landmarks;  // one per shape of the group; unset: failed
+  std::vector<RefitGeneralization::Failure> failures;
+  std::optional<AlignedModel> model;  // that has not seen them; unset: the build failed
 };
+
+template <class Archive>
+void transfer(Archive& archive, MaybeConst<RefittedGroup> auto& group) {
+  archive(group.landmarks, group.failures, group.model);
+}
 
 class Refit {
  public:
@@ -40,8 +48,7 @@ class Refit {
         options_(options),
         measure_(measure),
         ctx_(ctx),
-        groups_(left_out_together(static_cast<int>(build.shapes.size()), subjects, measure.leave_out)),
-        refitted_(build.shapes.size()) {
+        groups_(left_out_together(static_cast<int>(build.shapes.size()), subjects, measure.leave_out)) {
     for (const auto& group : groups_) {
       const auto first = static_cast<std::size_t>(group.front());
       group_names_.push_back(measure.leave_out == LeaveOut::shape ? stem(group.front()) : subjects[first]);
@@ -55,13 +62,11 @@ class Refit {
       // The stages of the builds would be told as if the whole began anew; a stop request passes all the
       // same.
       const RunContext inner(ctx_.threads(), [&](const Progress&) { ctx_.step("refit", fraction); });
-      try {
-        leave_out(g, build_without(build_, groups_[g], options_, inner), inner);
-      } catch (const Cancelled&) {
-        throw;
-      } catch (const Error& e) {
-        for (const int i : groups_[g]) result_.failures.push_back({stem(i), group_names_[g], e.what()});
-      }
+      const std::string of = measure_.leave_out == LeaveOut::shape ? "shape " : "subject ";
+      refitted_.push_back(
+          kept<RefittedGroup>(ctx_, "refit without " + of + std::to_string(g), [&] { return leave_out(g, inner); }));
+      const auto& failures = refitted_.back().failures;
+      result_.failures.insert(result_.failures.end(), failures.begin(), failures.end());
     }
     measure_all();
     ctx_.step("refit", 1);
@@ -73,48 +78,75 @@ class Refit {
     return build_.shapes[static_cast<std::size_t>(shape)].input.stem;
   }
 
-  void leave_out(std::size_t g, ModelBuild without, const RunContext& ctx) {
-    for (const LeftOut& other : without.left_out)
-      result_.failures.push_back({other.stem, group_names_[g], other.reason});
+  RefittedGroup leave_out(std::size_t g, const RunContext& ctx) const {
     const std::vector<int>& group = groups_[g];
+    RefittedGroup result;
+    result.landmarks.resize(group.size());
     std::vector<std::string> reasons(group.size());
-    const RunContext single = ctx.with_threads(1);
-    parallel_for(static_cast<int>(group.size()), ctx, [&](int k) {
-      const auto shape = static_cast<std::size_t>(group[static_cast<std::size_t>(k)]);
-      try {
-        refitted_[shape] = {landmarks_on_unseen(build_.shapes[shape].input.mesh, without, options_, single),
-                            models_.size()};
-      } catch (const Cancelled&) {
-        throw;
-      } catch (const Error& e) {
-        reasons[static_cast<std::size_t>(k)] = e.what();
-      }
-    });
+    try {
+      ModelBuild without = build_without(build_, group, options_, ctx);
+      for (const LeftOut& other : without.left_out)
+        result.failures.push_back({other.stem, group_names_[g], other.reason});
+      const RunContext single = ctx.with_threads(1);
+      parallel_for(static_cast<int>(group.size()), ctx, [&](int i) {
+        const auto k = static_cast<std::size_t>(i);
+        try {
+          result.landmarks[k] = landmarks_on_unseen(input(group[k]), without, options_, single);
+        } catch (const Cancelled&) {
+          throw;
+        } catch (const Error& e) {
+          reasons[k] = e.what();
+        }
+      });
+      result.model = {std::move(without.procrustes), std::move(without.model)};
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      reasons.assign(group.size(), e.what());
+    }
     for (std::size_t k = 0; k < group.size(); ++k)
-      if (!reasons[k].empty()) result_.failures.push_back({stem(group[k]), group_names_[g], reasons[k]});
-    models_.push_back({std::move(without.procrustes), std::move(without.model)});
+      if (!reasons[k].empty()) result.failures.push_back({stem(group[k]), group_names_[g], reasons[k]});
+    return result;
+  }
+
+  const Mesh& input(int shape) const { return build_.shapes[static_cast<std::size_t>(shape)].input.mesh; }
+
+  /// One shape that was left out, and the model that has not seen it.
+  struct Entered {
+    int shape = 0;
+    const std::vector<Vec3>* landmarks = nullptr;
+    const AlignedModel* model = nullptr;
+  };
+
+  /// In the order of the shapes.
+  std::vector<Entered> entered() const {
+    std::vector<Entered> all;
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      for (std::size_t k = 0; k < groups_[g].size(); ++k)
+        if (const auto& landmarks = refitted_[g].landmarks[k])
+          all.push_back({groups_[g][k], &*landmarks, &*refitted_[g].model});
+    std::sort(all.begin(), all.end(), [](const Entered& a, const Entered& b) { return a.shape < b.shape; });
+    return all;
   }
 
   void measure_all() {
     std::size_t fewest_shapes = build_.shapes.size();
-    for (const AlignedModel& model : models_)
-      fewest_shapes = std::min(fewest_shapes, model.alignment.aligned.size());
-    std::vector<std::size_t> entered;
-    for (std::size_t i = 0; i < refitted_.size(); ++i)
-      if (refitted_[i]) {
-        entered.push_back(i);
-        result_.names.push_back(build_.shapes[i].input.stem);
+    int models = 0;
+    for (const RefittedGroup& group : refitted_)
+      if (group.model) {
+        fewest_shapes = std::min(fewest_shapes, group.model->alignment.aligned.size());
+        ++models;
       }
+    const std::vector<Entered> shapes = entered();
+    for (const Entered& one : shapes) result_.names.push_back(stem(one.shape));
     const std::vector<int> counts = mode_counts(static_cast<int>(fewest_shapes) - 1);
-    std::vector<std::vector<ShapeError>> errors(entered.size());
-    parallel_for(static_cast<int>(entered.size()), ctx_, [&](int k) {
-      const std::size_t i = entered[static_cast<std::size_t>(k)];
+    std::vector<std::vector<ShapeError>> errors(shapes.size());
+    parallel_for(static_cast<int>(shapes.size()), ctx_, [&](int k) {
+      const Entered& one = shapes[static_cast<std::size_t>(k)];
       errors[static_cast<std::size_t>(k)] =
-          unseen_errors(refitted_[i]->landmarks, build_.shapes[i].input.mesh, models_[refitted_[i]->model],
-                        counts, measure_);
+          unseen_errors(*one.landmarks, input(one.shape), *one.model, counts, measure_);
     });
-    result_.generalization = {measure_.leave_out, static_cast<int>(models_.size()),
-                              over_shapes(errors, counts)};
+    result_.generalization = {measure_.leave_out, models, over_shapes(errors, counts)};
   }
 
   const ModelBuild& build_;
@@ -123,8 +155,7 @@ class Refit {
   const RunContext& ctx_;
   std::vector<std::vector<int>> groups_;
   std::vector<std::string> group_names_;
-  std::vector<AlignedModel> models_;
-  std::vector<std::optional<Refitted>> refitted_;  // unset: failed
+  std::vector<RefittedGroup> refitted_;
   RefitGeneralization result_;
 };
 

@@ -1,20 +1,25 @@
 #include "foramen/pipeline/run_build.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
+#include <memory>
 #include <regex>
 #include <set>
 #include <utility>
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
+#include "foramen/io/sha256.hpp"
 #include "foramen/pipeline/corresponding_folder.hpp"
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
 #include "foramen/pipeline/refit.hpp"
 #include "foramen/pipeline/repair_record.hpp"
+#include "foramen/pipeline/resume_store.hpp"
+#include "pipeline/folder_lock.hpp"
 #include "pipeline/run_json.hpp"
 
 namespace foramen {
@@ -33,6 +38,18 @@ void prepare_folder(const fs::path& folder) {
   if (!std::ofstream(probe))
     throw IoError(folder.string() + ": the folder cannot be written to; give another with -o");
   fs::remove(probe, failed);
+}
+
+// What killed builds left half-written under names of their own.
+void remove_leftovers_of_builds(const fs::path& model) {
+  for (const fs::path& folder : {model, model / "corresponding", model / "modes"}) remove_leftovers(folder);
+}
+
+std::string evaluation_scope(const CorrespondingCohort& cohort, const EvaluationOptions& options,
+                             const std::string& build_scope) {
+  return build_scope + " " +
+         sha256(to_bytes(std::array{options.draws, options.samples, options.specificity_samples}) +
+                to_bytes(cohort.subjects));
 }
 
 // A former build into the same folder may have had other shapes: their files would pass for this model's.
@@ -121,10 +138,16 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   if (request.labels && std::none_of(files.begin(), files.end(), is_label_map))
     throw InvalidInput("there is no label map among the inputs: leave out the options for label maps");
   prepare_folder(request.output);
+  const FolderLock lock(request.output);
+  remove_leftovers_of_builds(request.output);
+  const auto store = std::make_shared<ResumeStore>(
+      request.output, request.resume ? ResumeStore::Start::resume : ResumeStore::Start::anew);
   ctx.step("read", 0);
   Cohort read = read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}), request.repair);
   const std::vector<std::string> reading_notes = std::move(read.notes);
-  ModelBuild build = build_model(std::move(read), request.build, ctx);
+  const std::string scope = stage_scope(read.shapes, request.build);
+  const RunContext keeping = ctx.with_store(store, scope);
+  ModelBuild build = build_model(std::move(read), request.build, keeping);
 
   const CorrespondingCohort cohort = corresponding_cohort(build, request.subject_pattern);
   EvaluationOptions evaluation_options = request.evaluation;
@@ -133,24 +156,27 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   evaluation_options.seed = request.build.seed;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
-  Evaluation evaluation = evaluate_model(cohort, evaluation_options, ctx, truth ? &*truth : nullptr);
-  if (request.refit) add_refits(evaluation, build, request.build, ctx);
+  Evaluation evaluation =
+      evaluate_model(cohort, evaluation_options,
+                     ctx.with_store(store, evaluation_scope(cohort, evaluation_options, scope)),
+                     truth ? &*truth : nullptr);
+  if (request.refit) add_refits(evaluation, build, request.build, keeping);
 
   ctx.step("write", 0);
   remove_stale_files(request.output, build);
   write_model_files(request.output, build, request.canonical_command, millimetres_per(request.unit));
   write_metrics(request.output, evaluation);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const auto run = run_json(request, build, evaluation, seconds, ctx.threads());
+  const auto run = run_json(request, build, evaluation, {seconds, ctx.threads(), store->taken_up()});
   write_file(request.output / "report.html", model_page(run, evaluation, atlas_of(build), build.model));
   write_file(request.output / "run.json", run.dump(2) + "\n");
+  store->remove();
   ctx.step("write", 1);
 
   BuildSummary summary;
   summary.left_out = build.left_out;
-  summary.notes = reading_notes;
-  const auto building_notes = notes_on(build, evaluation);
-  summary.notes.insert(summary.notes.end(), building_notes.begin(), building_notes.end());
+  for (const auto& notes : {reading_notes, notes_on(build, evaluation), store->notes()})
+    summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
   summary.text = model_summary(run, evaluation);
   summary.json = run.dump(2);
   return summary;

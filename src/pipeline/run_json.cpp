@@ -211,7 +211,7 @@ ordered_json options_json(const BuildOptions& options) {
 }
 
 ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation,
-                      double seconds, int threads) {
+                      const RunFigures& figures) {
   const bool torus = request.build.method == Method::torus;
   ordered_json shapes = ordered_json::array();
   for (std::size_t i = 0; i < build.shapes.size(); ++i)
@@ -241,9 +241,10 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
           {"landmarks_inserted", build.inserted_landmarks},
           {"landmark_triangles", build.landmarks.triangles.size()},
           {"shapes", shapes},
-          {"seconds", seconds},
+          {"seconds", figures.seconds},
           {"seconds_by_stage", stages},
-          {"threads", threads},
+          {"threads", figures.threads},
+          {"stages_taken_up", figures.stages_taken_up},
           {"peak_memory_mb", peak_memory_mb()}};
 }
 

@@ -8,9 +8,16 @@
 
 namespace foramen {
 
+/// How a run went: differs from run to run, whatever the result.
+struct RunFigures {
+  double seconds = 0;
+  int threads = 0;
+  int stages_taken_up = 0;  ///< done by an interrupted build before
+};
+
 /// The record of a run: version, command, options, inputs, what became of each shape, times, memory.
 nlohmann::ordered_json run_json(const BuildRequest& request, const ModelBuild& build,
-                                const Evaluation& evaluation, double seconds, int threads);
+                                const Evaluation& evaluation, const RunFigures& figures);
 
 /// A build's options by their command-line names.
 nlohmann::ordered_json options_json(const BuildOptions& options);

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Progress, cancellation and the number of threads, handed down together. None of them changes a result.
+/// Progress, cancellation, the number of threads and where finished work is kept, handed down together. None
+/// of them changes a result.
 
 #include <atomic>
 #include <functional>
@@ -9,6 +10,8 @@
 #include <string_view>
 
 namespace foramen {
+
+class StageStore;
 
 struct Progress {
   std::string stage;    ///< what is being done, e.g. "register"
@@ -26,6 +29,11 @@ class RunContext {
   int threads() const { return threads_; }
   /// The same run (stop request, progress) with another number of threads.
   RunContext with_threads(int threads) const;
+  /// The same run with its finished work kept in a store (see kept()); keys begin with the scope.
+  RunContext with_store(std::shared_ptr<StageStore> store, std::string scope) const;
+  /// Null: nothing is kept.
+  StageStore* store() const { return store_.get(); }
+  const std::string& store_scope() const { return store_scope_; }
   /// Asks all work under this context to stop. Async-signal-safe.
   void request_stop() const noexcept { state_->stop.store(true); }
   bool stop_requested() const noexcept { return state_->stop.load(); }
@@ -42,6 +50,8 @@ class RunContext {
   };
   int threads_;
   std::shared_ptr<State> state_;
+  std::shared_ptr<StageStore> store_;
+  std::string store_scope_;
 };
 
 }  // namespace foramen

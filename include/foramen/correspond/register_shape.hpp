@@ -38,9 +38,9 @@ Reference map_reference(const Mesh& mesh, const RunContext& ctx, const RegisterO
 struct RegisteredShape {
   Alignment alignment;  ///< shape -> reference
   ShapeMap shape_map;
-  Eigen::Matrix2i homology;       ///< A, see transfer_homology()
-  Eigen::Matrix2i seifert;        ///< of the shape's own loops
-  Vec2 agreement = Vec2::Zero();  ///< see map_agreement()
+  Eigen::Matrix2i homology = Eigen::Matrix2i::Zero();  ///< A, see transfer_homology()
+  Eigen::Matrix2i seifert = Eigen::Matrix2i::Zero();   ///< of the shape's own loops
+  Vec2 agreement = Vec2::Zero();                       ///< see map_agreement()
 };
 
 /// Aligns the shape, carries the loops over, maps it to the reference's torus and minimises E_cor + lambda

@@ -16,4 +16,7 @@ void write_file(const std::filesystem::path& path, std::string_view contents);
 void write_file_with(const std::filesystem::path& path,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
+/// Removes what these left in a folder when their process was killed. \pre nothing is being written there
+void remove_leftovers(const std::filesystem::path& folder);
+
 }  // namespace foramen

@@ -23,6 +23,7 @@ struct BuildRequest {
   bool refit = false;             ///< also refit_generalization(): as many builds as there are shapes
   std::string subject_pattern;    ///< regular expression on stems; empty: subjects unknown
   std::filesystem::path truth;    ///< folder of true correspondence; empty: unknown
+  bool resume = false;            ///< take up what an interrupted build left in the folder, see ResumeStore
   std::string canonical_command;  ///< recorded in the files
 };
 
@@ -33,7 +34,8 @@ struct BuildSummary {
   std::string json;                ///< the same as one object
 };
 
-/// Writes every file of the model's folder, each whole or not at all. Throws the errors of its stages.
+/// Finished stages are kept in the model's folder until all is written, so that an interrupted build can be
+/// resumed to the same bytes. Writes every file of the model's folder, each whole or not at all. Throws the errors of its stages.
 BuildSummary run_build(const BuildRequest& request, const RunContext& ctx);
 
 /// The subject of a shape: the pattern's first group (or whole match) in the stem; the stem itself if it does

@@ -1,0 +1,86 @@
+#include "foramen/pipeline/resume_store.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "foramen/io/sha256.hpp"
+#include "foramen/pipeline/version.hpp"
+#include "pipeline/run_json.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What an entry begins with: whose it is, and the checksum of the rest.
+std::string header(const std::string& key, std::string_view bytes) {
+  return "foramen stage\n" + key + "\n" + sha256(bytes) + "\n";
+}
+
+}  // namespace
+
+ResumeStore::ResumeStore(const fs::path& model_folder, Start start) : folder_(model_folder / ".resume") {
+  std::error_code failed;
+  if (start == Start::anew) fs::remove_all(folder_, failed);
+  fs::create_directory(folder_, failed);
+  if (fs::is_directory(folder_, failed)) remove_leftovers(folder_);
+}
+
+fs::path ResumeStore::file_of(const std::string& key) const { return folder_ / sha256(key); }
+
+std::optional<std::string> ResumeStore::load(const std::string& key) {
+  const fs::path file = file_of(key);
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return std::nullopt;
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t header_size = header(key, {}).size();
+  if (bytes.size() >= header_size) {
+    std::string payload = bytes.substr(header_size);
+    if (bytes.starts_with(header(key, payload))) {
+      ++taken_up_;
+      return payload;
+    }
+  }
+  note(file.string() + ": the finished stage kept there is damaged and is computed again");
+  return std::nullopt;
+}
+
+void ResumeStore::keep(const std::string& key, std::string_view bytes) {
+  if (!keeping_) return;
+  try {
+    write_file(file_of(key), header(key, bytes).append(bytes));
+  } catch (const IoError& e) {
+    if (keeping_.exchange(false))
+      note(std::string("finished stages are no longer kept, so that this build could not be resumed: ") +
+           e.what());
+  }
+}
+
+std::vector<std::string> ResumeStore::notes() const {
+  const std::lock_guard lock(mutex_);
+  return notes_;
+}
+
+void ResumeStore::note(std::string text) {
+  const std::lock_guard lock(mutex_);
+  notes_.push_back(std::move(text));
+}
+
+void ResumeStore::remove() {
+  keeping_ = false;
+  std::error_code failed;
+  fs::remove_all(folder_, failed);
+  if (failed) note(folder_.string() + ": cannot be removed (" + failed.message() + ")");
+}
+
+std::string stage_scope(const std::vector<InputShape>& shapes, const BuildOptions& options) {
+  Sha256 content;
+  content.update(program_identity()).update(options_json(options).dump());
+  for (const InputShape& shape : shapes) content.update(to_bytes(shape.stem)).update(to_bytes(shape.mesh));
+  return content.hex();
+}
+
+}  // namespace foramen
