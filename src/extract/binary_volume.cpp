@@ -133,7 +133,8 @@ Cleaning keep_largest_component(BinaryVolume& volume, EdgeContact contact) {
       reached[2 * a + 1] = reached[2 * a + 1] || at[a] == volume.last[a];
     }
   });
-  constexpr std::array<const char*, 6> sides{"right", "left", "anterior", "posterior", "inferior", "superior"};
+  constexpr std::array<const char*, 6> sides{"right",     "left",     "anterior",
+                                             "posterior", "inferior", "superior"};
   for (std::size_t s = 0; s < sides.size(); ++s)
     if (reached[s]) done.cut_at.emplace_back(sides[s]);
   std::fill(number.begin(), number.end(), 0);

@@ -17,9 +17,9 @@ namespace foramen::extract {
 /// that the same voxels are the same volume however the map was stored.
 struct BinaryVolume {
   std::array<int, 3> size{};
-  std::vector<std::uint8_t> inside;  ///< 1 or 0; voxel (i, j, k) at (k * size[1] + j) * size[0] + i
-  Mat3 axes = Mat3::Identity();      ///< as of a LabelMap
-  Vec3 origin = Vec3::Zero();        ///< centre of voxel (0, 0, 0), LPS mm
+  std::vector<std::uint8_t> inside;    ///< 1 or 0; voxel (i, j, k) at (k * size[1] + j) * size[0] + i
+  Mat3 axes = Mat3::Identity();        ///< as of a LabelMap
+  Vec3 origin = Vec3::Zero();          ///< centre of voxel (0, 0, 0), LPS mm
   std::array<int, 3> first{}, last{};  ///< the voxels that lie in the label map
 
   std::size_t index(int i, int j, int k) const {

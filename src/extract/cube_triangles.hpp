@@ -9,8 +9,8 @@
 
 namespace foramen::extract {
 
-/// Corner c of the unit cube is at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 a + u + 2 v runs along axis a; u and
-/// v are its coordinates along the axes (a + 1) % 3 and (a + 2) % 3.
+/// Corner c of the unit cube is at (c & 1, c >> 1 & 1, c >> 2 & 1). Edge 4 a + u + 2 v runs along axis a; u
+/// and v are its coordinates along the axes (a + 1) % 3 and (a + 2) % 3.
 struct CubeEdge {
   int axis;
   std::array<int, 3> from;  ///< its lower corner

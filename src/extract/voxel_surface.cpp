@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t most_vertices = 20000000;
 
-// The vertices on the edges that leave a voxel in the positive direction, for two neighbouring layers of voxels:
-// all that a layer of cubes needs.
+// The vertices on the edges that leave a voxel in the positive direction, for two neighbouring layers of
+// voxels: all that a layer of cubes needs.
 class EdgeVertices {
  public:
   explicit EdgeVertices(const BinaryVolume& volume)

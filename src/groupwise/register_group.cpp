@@ -84,7 +84,8 @@ class GroupRegistrar {
       });
     }
     if (options_.description_rounds > 0) describe(*last);
-    advance_each_member("finish", [&](int i) { steps_.finish(members_[static_cast<std::size_t>(i)], *last); });
+    advance_each_member("finish",
+                        [&](int i) { steps_.finish(members_[static_cast<std::size_t>(i)], *last); });
     for (std::size_t i = 0; i < members_.size(); ++i)
       if (result_.members[i].failure.empty()) result_.members[i].registered = std::move(members_[i].result);
     return std::move(result_);

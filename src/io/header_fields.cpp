@@ -52,8 +52,8 @@ std::vector<double> HeaderFields::numbers(const std::string& key, std::size_t co
     numbers.push_back(to_number(word).value_or(std::numeric_limits<double>::quiet_NaN()));
   const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
   if (numbers.size() != count || !finite)
-    source_.refuse("its header has " + in_quotes(text(key)) + " as " + key + ", not " + std::to_string(count) +
-                       " numbers",
+    source_.refuse("its header has " + in_quotes(text(key)) + " as " + key + ", not " +
+                       std::to_string(count) + " numbers",
                    remedy_export_again);
   return numbers;
 }

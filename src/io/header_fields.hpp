@@ -39,8 +39,8 @@ std::string header_text(const std::filesystem::path& path);
 /// The next line of a text header; refuses one so long that it is none.
 std::string_view header_line(const Source& source, LineCursor& lines);
 
-/// The data file that a header names, in the header's folder unless the path is absolute; refuses one that is not
-/// there, lists of files and patterns.
+/// The data file that a header names, in the header's folder unless the path is absolute; refuses one that is
+/// not there, lists of files and patterns.
 std::filesystem::path named_data_file(const Source& source, const std::filesystem::path& header,
                                       const std::string& name);
 

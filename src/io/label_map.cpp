@@ -15,9 +15,9 @@ struct Format {
   LayoutReader layout;
 };
 
-constexpr Format formats[] = {{".nii", io_detail::nifti_layout},    {".nii.gz", io_detail::nifti_layout},
-                              {".nrrd", io_detail::nrrd_layout},    {".nhdr", io_detail::nrrd_layout},
-                              {".mha", io_detail::meta_layout},     {".mhd", io_detail::meta_layout}};
+constexpr Format formats[] = {{".nii", io_detail::nifti_layout}, {".nii.gz", io_detail::nifti_layout},
+                              {".nrrd", io_detail::nrrd_layout}, {".nhdr", io_detail::nrrd_layout},
+                              {".mha", io_detail::meta_layout},  {".mhd", io_detail::meta_layout}};
 
 // The format by the name's end; null if it is none of them.
 const Format* format_of(const std::filesystem::path& path) {

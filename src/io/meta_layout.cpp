@@ -80,7 +80,8 @@ VoxelLayout meta_layout(const std::filesystem::path& path) {
   layout.offset = parse_fields(source, fields);
   layout.data_file = path;
   if (lower_case(fields.text("objecttype", "image")) != "image")
-    source.refuse("holds an object of type " + in_quotes(fields.text("objecttype")), "a label map is an Image");
+    source.refuse("holds an object of type " + in_quotes(fields.text("objecttype")),
+                  "a label map is an Image");
   if (fields.integer("ndims") != 3)
     source.refuse("is an image of " + std::to_string(fields.integer("ndims")) + " dimensions",
                   "a label map has three: save one volume of it");

@@ -1,5 +1,5 @@
-// NIfTI-1 in one file, https://nifti.nimh.nih.gov/nifti-1. Read by our own code: ITK 5.2 refuses label maps whose
-// axes are at right angles but for the rounding of their single-precision header.
+// NIfTI-1 in one file, https://nifti.nimh.nih.gov/nifti-1. Read by our own code: ITK 5.2 refuses label maps
+// whose axes are at right angles but for the rounding of their single-precision header.
 #include <array>
 #include <cmath>
 #include <optional>
@@ -63,8 +63,9 @@ class NiftiHeader {
     const int number = at<std::int16_t>(type_at);
     const auto type = type_of(number);
     if (!type)
-      source_.refuse("its voxels are of NIfTI type " + std::to_string(number) + " (colours, complex or odd numbers)",
-                     "a label map holds one whole number a voxel");
+      source_.refuse(
+          "its voxels are of NIfTI type " + std::to_string(number) + " (colours, complex or odd numbers)",
+          "a label map holds one whole number a voxel");
     layout.type = *type;
     constexpr double farthest = 1e9;
     const double offset = at<float>(offset_at);
@@ -132,8 +133,9 @@ class NiftiHeader {
     } else if (at<std::int16_t>(qform_at) > 0) {
       set_from_quaternion(layout);
     } else {
-      source_.refuse("does not say how it is oriented (neither sform nor qform), so left and right cannot be told",
-                     "save it with its orientation");
+      source_.refuse(
+          "does not say how it is oriented (neither sform nor qform), so left and right cannot be told",
+          "save it with its orientation");
     }
     const Mat3 lps_from_ras = millimetres_per_unit() * Vec3(-1, -1, 1).asDiagonal().toDenseMatrix();
     layout.axes = lps_from_ras * layout.axes;

@@ -22,7 +22,8 @@ constexpr std::array<TypeNames, 10> types{{
     {{with_sign, 4}, {"int", "signed int", "int32", "int32_t"}},
     {{plain, 8}, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
     {{with_sign, 8},
-     {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+     {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64",
+      "int64_t"}},
     {{NumberKind::real, 4}, {"float"}},
     {{NumberKind::real, 8}, {"double"}},
 }};
@@ -64,7 +65,8 @@ void require_millimetres(const Source& source, const HeaderFields& fields) {
       const auto close = units.find('"', open + 1);
       if (close == std::string::npos) break;
       const std::string unit = units.substr(open + 1, close - open - 1);
-      if (!unit.empty() && unit != "mm" && lower_case(unit) != "millimeter" && lower_case(unit) != "millimetre")
+      if (!unit.empty() && unit != "mm" && lower_case(unit) != "millimeter" &&
+          lower_case(unit) != "millimetre")
         source.refuse("its lengths are in " + in_quotes(unit), "convert it to millimetres");
       open = units.find('"', close + 1);
     }
@@ -77,8 +79,9 @@ Vec3 lps_signs(const Source& source, const HeaderFields& fields) {
   if (space == "left-posterior-superior" || space == "lps") return {1, 1, 1};
   if (space == "right-anterior-superior" || space == "ras") return {-1, -1, 1};
   if (space == "left-anterior-superior" || space == "las") return {1, -1, 1};
-  source.refuse(space.empty() ? "does not say how it is oriented (no space)" : "its space is " + in_quotes(space),
-                "save it with its orientation in left-posterior-superior or right-anterior-superior");
+  source.refuse(
+      space.empty() ? "does not say how it is oriented (no space)" : "its space is " + in_quotes(space),
+      "save it with its orientation in left-posterior-superior or right-anterior-superior");
 }
 
 void set_geometry(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
@@ -122,7 +125,8 @@ VoxelLayout nrrd_layout(const std::filesystem::path& path) {
   if (encoding == "gzip" || encoding == "gz")
     layout.packing = ByteStream::Packing::deflate;
   else if (encoding != "raw")
-    source.refuse("its voxels are encoded as " + in_quotes(encoding), "save it with the encoding gzip or raw");
+    source.refuse("its voxels are encoded as " + in_quotes(encoding),
+                  "save it with the encoding gzip or raw");
   for (const char* skip : {"lineskip", "byteskip"})
     if (fields.has(skip) && fields.integer(skip) != 0)
       source.refuse("its data file begins with something else (" + std::string(skip) + ")",

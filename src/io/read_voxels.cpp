@@ -68,8 +68,9 @@ class LabelReader {
     constexpr double largest = std::numeric_limits<std::uint16_t>::max();
     const double value = layout_.slope * stored + layout_.intercept;
     if (!(value >= 0 && value <= largest && value == std::floor(value)))
-      source_.refuse("a voxel has the value " + std::to_string(value) + ", which is no label (whole, 0 to 65535)",
-                     "give the label map, not the image or probabilities");
+      source_.refuse(
+          "a voxel has the value " + std::to_string(value) + ", which is no label (whole, 0 to 65535)",
+          "give the label map, not the image or probabilities");
     return static_cast<std::uint16_t>(value);
   }
 

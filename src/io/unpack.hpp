@@ -22,8 +22,8 @@ class ByteStream {
 
   /// The next bytes, at most `count`; fewer at the end, and where a compressed stream is damaged.
   std::size_t read(char* out, std::size_t count);
-  /// A compressed stream does not end as it should (cut off, or another checksum than its bytes have), as far as it
-  /// has been read.
+  /// A compressed stream does not end as it should (cut off, or another checksum than its bytes have), as far
+  /// as it has been read.
   bool damaged() const;
 
  private:

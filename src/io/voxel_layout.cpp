@@ -28,8 +28,8 @@ void check_size(const Source& source, const VoxelLayout& layout) {
   // Deflate packs at most about 1032 bytes into one.
   constexpr std::int64_t densest = 1032;
   const std::int64_t needed = layout.skipped + voxels * layout.type.bytes;
-  const std::int64_t there =
-      std::max<std::int64_t>(0, static_cast<std::int64_t>(require_readable(layout.data_file)) - layout.offset);
+  const std::int64_t there = std::max<std::int64_t>(
+      0, static_cast<std::int64_t>(require_readable(layout.data_file)) - layout.offset);
   const bool packed = layout.packing == ByteStream::Packing::deflate;
   if (needed > (packed ? densest * (there + 1) : there))
     source.refuse("its header announces " + by(layout.size) + " voxels, which need " +

@@ -26,8 +26,8 @@ struct VoxelLayout {
   std::filesystem::path data_file;  ///< the file itself, or another beside it
   std::int64_t offset = 0;          ///< where its bytes begin, or their compressed stream
   ByteStream::Packing packing = ByteStream::Packing::none;
-  std::int64_t skipped = 0;  ///< bytes before the voxels, unpacked
-  Mat3 axes = Mat3::Zero();  ///< columns: from a voxel to the next along i, j, k, LPS mm
+  std::int64_t skipped = 0;    ///< bytes before the voxels, unpacked
+  Mat3 axes = Mat3::Zero();    ///< columns: from a voxel to the next along i, j, k, LPS mm
   Vec3 origin = Vec3::Zero();  ///< centre of the first voxel, LPS mm
 };
 
@@ -41,8 +41,8 @@ VoxelLayout meta_layout(const std::filesystem::path& path);
 /// Throws IoError.
 void check_layout(const std::filesystem::path& path, const VoxelLayout& layout);
 
-/// The labels. Memory is taken as bytes are there, not as the header promises. Throws IoError: too few bytes, damaged
-/// ones, numbers that are no labels.
+/// The labels. Memory is taken as bytes are there, not as the header promises. Throws IoError: too few bytes,
+/// damaged ones, numbers that are no labels.
 std::vector<std::uint16_t> read_voxels(const std::filesystem::path& path, const VoxelLayout& layout);
 
 }  // namespace foramen::io_detail

@@ -193,9 +193,8 @@ class LabelMapReader {
     shape.label = label.label;
     shape.extraction = label.extracted.report;
     try {
-      cohort_.shapes.push_back(
-          usable_shape(std::move(shape), std::move(label.extracted.surface),
-                                             LengthUnit::millimetre, repair_, ctx));
+      cohort_.shapes.push_back(usable_shape(std::move(shape), std::move(label.extracted.surface),
+                                            LengthUnit::millimetre, repair_, ctx));
     } catch (const InvalidInput& e) {
       cohort_.left_out.push_back({label.stem, file_name, sha256, e.what(), label.label});
     }
@@ -231,7 +230,8 @@ RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptio
   const double diagonal = inspect_mesh(raw).box.diagonal();
   if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit, false);
   RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);
-  require_plausible_size(bounding_box(repaired.mesh.positions()).diagonal() / millimetres_per(unit), unit, false);
+  require_plausible_size(bounding_box(repaired.mesh.positions()).diagonal() / millimetres_per(unit), unit,
+                         false);
   return repaired;
 }
 

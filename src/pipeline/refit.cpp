@@ -63,8 +63,8 @@ class Refit {
       // same.
       const RunContext inner(ctx_.threads(), [&](const Progress&) { ctx_.step("refit", fraction); });
       const std::string of = measure_.leave_out == LeaveOut::shape ? "shape " : "subject ";
-      refitted_.push_back(
-          kept<RefittedGroup>(ctx_, "refit without " + of + std::to_string(g), [&] { return leave_out(g, inner); }));
+      refitted_.push_back(kept<RefittedGroup>(ctx_, "refit without " + of + std::to_string(g),
+                                              [&] { return leave_out(g, inner); }));
       const auto& failures = refitted_.back().failures;
       result_.failures.insert(result_.failures.end(), failures.begin(), failures.end());
     }

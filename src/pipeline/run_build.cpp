@@ -143,7 +143,8 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const auto store = std::make_shared<ResumeStore>(
       request.output, request.resume ? ResumeStore::Start::resume : ResumeStore::Start::anew);
   ctx.step("read", 0);
-  Cohort read = read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}), request.repair);
+  Cohort read =
+      read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}), request.repair);
   const std::vector<std::string> reading_notes = std::move(read.notes);
   const std::string scope = stage_scope(read.shapes, request.build);
   const RunContext keeping = ctx.with_store(store, scope);
@@ -156,10 +157,9 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   evaluation_options.seed = request.build.seed;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
-  Evaluation evaluation =
-      evaluate_model(cohort, evaluation_options,
-                     ctx.with_store(store, evaluation_scope(cohort, evaluation_options, scope)),
-                     truth ? &*truth : nullptr);
+  Evaluation evaluation = evaluate_model(
+      cohort, evaluation_options, ctx.with_store(store, evaluation_scope(cohort, evaluation_options, scope)),
+      truth ? &*truth : nullptr);
   if (request.refit) add_refits(evaluation, build, request.build, keeping);
 
   ctx.step("write", 0);

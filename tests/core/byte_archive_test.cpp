@@ -24,8 +24,9 @@ Value there_and_back(const Value& value) {
 TEST(ByteArchive, NumbersComeBackBitForBit) {
   for (double x : {0.0, -0.0, 1.0 / 3, 1e-320, std::numeric_limits<double>::infinity(), std::nan("7")})
     EXPECT_EQ(std::bit_cast<std::uint64_t>(there_and_back(x)), std::bit_cast<std::uint64_t>(x));
-  for (std::int64_t i : {std::int64_t{0}, std::int64_t{-1}, std::int64_t{63}, std::int64_t{-64}, std::int64_t{64},
-                         std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()})
+  for (std::int64_t i :
+       {std::int64_t{0}, std::int64_t{-1}, std::int64_t{63}, std::int64_t{-64}, std::int64_t{64},
+        std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()})
     EXPECT_EQ(there_and_back(i), i);
   EXPECT_EQ(there_and_back(std::numeric_limits<int>::min()), std::numeric_limits<int>::min());
   EXPECT_EQ(there_and_back(true), true);

@@ -114,7 +114,7 @@ Value from_bytes(std::string_view bytes) {
 }
 
 template <class Archive, class Number>
-  requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
+requires std::is_arithmetic_v<Number> || std::is_enum_v<Number>
 void transfer(Archive& archive, Number& number) {
   using Value = std::remove_const_t<Number>;
   if constexpr (std::is_floating_point_v<Value> && Archive::reads)
@@ -168,7 +168,7 @@ concept EigenMatrix = std::derived_from<T, Eigen::PlainObjectBase<T>>;
 }  // namespace detail
 
 template <class Archive, class Values>
-  requires detail::is_vector<std::remove_const_t<Values>>
+requires detail::is_vector<std::remove_const_t<Values>>
 void transfer(Archive& archive, Values& values) {
   if constexpr (Archive::reads)
     values.resize(archive.count());
@@ -178,13 +178,13 @@ void transfer(Archive& archive, Values& values) {
 }
 
 template <class Archive, class Values>
-  requires detail::is_array<std::remove_const_t<Values>>
+requires detail::is_array<std::remove_const_t<Values>>
 void transfer(Archive& archive, Values& values) {
   for (auto& value : values) archive(value);
 }
 
 template <class Archive, class Value>
-  requires detail::is_optional<std::remove_const_t<Value>>
+requires detail::is_optional<std::remove_const_t<Value>>
 void transfer(Archive& archive, Value& value) {
   bool present = value.has_value();
   archive(present);
@@ -196,13 +196,11 @@ void transfer(Archive& archive, Value& value) {
 }
 
 template <class Archive, class Map>
-  requires detail::is_id_map<std::remove_const_t<Map>>
-void transfer(Archive& archive, Map& map) {
-  archive(map.values());
-}
+requires detail::is_id_map<std::remove_const_t<Map>>
+void transfer(Archive& archive, Map& map) { archive(map.values()); }
 
 template <class Archive, class Matrix>
-  requires detail::EigenMatrix<std::remove_const_t<Matrix>>
+requires detail::EigenMatrix<std::remove_const_t<Matrix>>
 void transfer(Archive& archive, Matrix& matrix) {
   using Fixed = std::remove_const_t<Matrix>;
   if constexpr (Fixed::SizeAtCompileTime == Eigen::Dynamic) {

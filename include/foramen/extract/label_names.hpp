@@ -18,9 +18,9 @@ enum class LabelNumbering {
 
 const LabelNames& label_names(LabelNumbering numbering);
 
-/// Reads a CSV file with the columns label and name, e.g. "20,L1". Names become parts of file names: letters, digits
-/// and - _ . are allowed. Throws IoError naming file and row: a label that is no whole number 1 .. 65535, a
-/// name of other characters, a label or a name twice.
+/// Reads a CSV file with the columns label and name, e.g. "20,L1". Names become parts of file names: letters,
+/// digits and - _ . are allowed. Throws IoError naming file and row: a label that is no whole number 1 ..
+/// 65535, a name of other characters, a label or a name twice.
 LabelNames read_label_names(const std::filesystem::path& path);
 
 /// The label's name; "label37" where there is none.

@@ -35,12 +35,12 @@ const std::vector<std::string>& label_map_extensions();
 /// The file name without such an extension.
 std::string label_map_stem(const std::filesystem::path& path);
 
-/// Reads one 3-D image of whole numbers 0 .. 65535, stored as integers or floats, in any orientation: NIfTI by
-/// its sform if it has one, else its qform; NRRD in LPS, RAS or LAS space; MetaImage in LPS. No memory is taken
-/// for what a header promises, only for what the file holds. Throws IoError naming the file, what was found and
-/// what to do: a header that promises more than the file holds, a file cut off or damaged, other than three
-/// dimensions, colours or vectors, axes not at right angles, no orientation, numbers that are no labels (not
-/// whole, negative: an image).
+/// Reads one 3-D image of whole numbers 0 .. 65535, stored as integers or floats, in any orientation: NIfTI
+/// by its sform if it has one, else its qform; NRRD in LPS, RAS or LAS space; MetaImage in LPS. No memory is
+/// taken for what a header promises, only for what the file holds. Throws IoError naming the file, what was
+/// found and what to do: a header that promises more than the file holds, a file cut off or damaged, other
+/// than three dimensions, colours or vectors, axes not at right angles, no orientation, numbers that are no
+/// labels (not whole, negative: an image).
 LabelMap read_label_map(const std::filesystem::path& path);
 
 }  // namespace foramen

@@ -25,7 +25,8 @@ struct InputShape {
   bool was_inward = false;                  ///< the file's triangles were wound inward and have been reversed
   std::optional<int> label = std::nullopt;  ///< of a label map
   ExtractionReport extraction = {};         ///< if so
-  std::optional<RepairReport> repair = std::nullopt;  ///< what was changed, if the surface as it is could not be used
+  std::optional<RepairReport> repair =
+      std::nullopt;  ///< what was changed, if the surface as it is could not be used
   Mesh mesh;
 };
 
@@ -61,11 +62,12 @@ std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesy
 /// have the same stem, or if a label named singly is in none of the label maps. \param repair  set: what the
 /// audit refuses is repaired
 Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx,
-                   const LabelRequest& labels = {}, const std::optional<RepairOptions>& repair = std::nullopt);
+                   const LabelRequest& labels = {},
+                   const std::optional<RepairOptions>& repair = std::nullopt);
 
 /// The surface as that of a shape whose other members are set; repaired, if that is asked for and needed.
-/// Throws InvalidInput with the reason if it cannot be used. Surfaces of files and of labels both come through
-/// here.
+/// Throws InvalidInput with the reason if it cannot be used. Surfaces of files and of labels both come
+/// through here.
 InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
                         const std::optional<RepairOptions>& repair = std::nullopt,
                         const RunContext& ctx = RunContext());

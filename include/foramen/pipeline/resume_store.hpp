@@ -13,8 +13,8 @@
 
 namespace foramen {
 
-/// One file a finished stage, named by the hash of its key, with a checksum of what it holds. An entry that is
-/// not what was written (cut off, flipped bits) is never believed: it counts as not there, with a note.
+/// One file a finished stage, named by the hash of its key, with a checksum of what it holds. An entry that
+/// is not what was written (cut off, flipped bits) is never believed: it counts as not there, with a note.
 class ResumeStore : public StageStore {
  public:
   enum class Start {

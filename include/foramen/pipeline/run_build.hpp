@@ -35,7 +35,8 @@ struct BuildSummary {
 };
 
 /// Finished stages are kept in the model's folder until all is written, so that an interrupted build can be
-/// resumed to the same bytes. Writes every file of the model's folder, each whole or not at all. Throws the errors of its stages.
+/// resumed to the same bytes. Writes every file of the model's folder, each whole or not at all. Throws the
+/// errors of its stages.
 BuildSummary run_build(const BuildRequest& request, const RunContext& ctx);
 
 /// The subject of a shape: the pattern's first group (or whole match) in the stem; the stem itself if it does
