@@ -51,11 +51,32 @@ void require_enough(const std::vector<LeftOut>& left_out, std::size_t usable) {
   throw InvalidInput(message);
 }
 
-int find_reference(const std::vector<InputShape>& shapes, const std::string& name) {
-  if (name == "auto") return choose_reference(shapes);
+// Those to try, in order.
+std::vector<int> reference_candidates(const std::vector<InputShape>& shapes, const std::string& name) {
+  if (name == "auto") return rank_references(shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    if (shapes[i].stem == name || source_of(shapes[i]) == name) return static_cast<int>(i);
+    if (shapes[i].stem == name || source_of(shapes[i]) == name) return {static_cast<int>(i)};
   throw InvalidInput("--reference " + name + ": no usable input has this name");
+}
+
+// Maps the first candidate that can be mapped, and returns which. A surface that is usable as such may be too
+// ragged for a map, and the cohort must not fail for it.
+int map_first_reference(ModelBuild& build, const std::vector<InputShape>& shapes, const BuildOptions& options,
+                        const RunContext& ctx) {
+  const auto candidates = reference_candidates(shapes, options.reference);
+  for (std::size_t c = 0;; ++c) {
+    const InputShape& shape = shapes[static_cast<std::size_t>(candidates[c])];
+    try {
+      build.reference_map = kept<Reference>(ctx, "reference " + shape.stem, [&] {
+        return map_reference(shape.mesh, ctx, options.registration);
+      });
+      return candidates[c];
+    } catch (const ConvergenceError& e) {
+      const std::string reason = source_of(shape) + " cannot be the reference: " + e.what();
+      if (c + 1 == candidates.size()) throw ConvergenceError(reason);
+      build.notes.push_back(reason);
+    }
+  }
 }
 
 RegisteredShape reference_itself(const Reference& reference) {
@@ -171,36 +192,30 @@ bool registered_together(const BuildOptions& options) {
   return options.method == Method::torus && options.objective == Objective::surface;
 }
 
-int choose_reference(const std::vector<InputShape>& shapes) {
+std::vector<int> rank_references(const std::vector<InputShape>& shapes) {
   std::vector<double> areas, volumes;
   for (const InputShape& shape : shapes) {
     areas.push_back(std::log(total_area(shape.mesh)));
     volumes.push_back(std::log(signed_volume(shape.mesh)));
   }
   const double area = median(areas), volume = median(volumes);
-  int best = 0;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const double deviation = std::abs(areas[i] - area) + std::abs(volumes[i] - volume);
-    if (deviation < smallest) {
-      smallest = deviation;
-      best = static_cast<int>(i);
-    }
-  }
-  return best;
+  std::vector<std::pair<double, int>> deviations;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    deviations.emplace_back(std::abs(areas[i] - area) + std::abs(volumes[i] - volume), static_cast<int>(i));
+  std::sort(deviations.begin(), deviations.end());
+  std::vector<int> order;
+  for (const auto& [deviation, shape] : deviations) order.push_back(shape);
+  return order;
 }
 
 ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunContext& ctx) {
   ModelBuild build;
   build.left_out = std::move(cohort.left_out);
   require_enough(build.left_out, cohort.shapes.size());
-  const int reference = find_reference(cohort.shapes, options.reference);
-
+  int reference = 0;
   timed(build, "reference", [&] {
     ctx.step("reference", 0);
-    const Mesh& mesh = cohort.shapes[static_cast<std::size_t>(reference)].mesh;
-    build.reference_map =
-        kept<Reference>(ctx, "reference", [&] { return map_reference(mesh, ctx, options.registration); });
+    reference = map_first_reference(build, cohort.shapes, options, ctx);
   });
   timed(build, "register", [&] { register_all(build, std::move(cohort.shapes), reference, options, ctx); });
   timed(build, "resample", [&] {

@@ -102,7 +102,7 @@ void add_refit_notes(std::vector<std::string>& notes, const std::optional<RefitG
 }
 
 std::vector<std::string> notes_on(const ModelBuild& build, const Evaluation& evaluation) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = build.notes;
   for (const ShapeOutcome& shape : build.shapes) {
     if (shape.input.was_inward)
       notes.push_back(source_of(shape.input) + ": triangles were wound inward; reversed");

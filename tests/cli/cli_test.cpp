@@ -14,6 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/io/mesh_file.hpp"
+#include "foramen/io/sha256.hpp"
+#include "support/label_maps.hpp"
 #include "support/meshes.hpp"
 #include "support/real_data.hpp"
 #include "support/temporary_folder.hpp"
@@ -270,6 +272,68 @@ TEST_F(Cli, WrongUnitsAreRefusedWithTheLikelyOne) {
   const Outcome refused = run(small_build(metres.string() + " -o " + (folder() / "m3").string()));
   EXPECT_EQ(refused.code, 1);
   EXPECT_THAT(refused.output, HasSubstr("--units m"));
+}
+
+// Four lopsided tori of different size beside each other, as labels 20 to 23.
+fs::path spine(const fs::path& folder) {
+  const auto label_at = [](const Vec3& p) {
+    for (int n = 0; n < 4; ++n)
+      if (testing::bumpy_torus(p - Vec3(54 * n - 81, 0, 0), 15 + 0.5 * n, 5 + 0.3 * n) < 0) return 20 + n;
+    return 0;
+  };
+  const LabelMap map = testing::labelled_lattice({108, 28, 12}, Vec3(2, 2, 2).asDiagonal(), label_at);
+  std::ofstream(folder / "spine.nii.gz", std::ios::binary) << testing::packed(testing::nifti_bytes(map));
+  return folder / "spine.nii.gz";
+}
+
+TEST_F(Cli, ExtractGivesMeshesOfLabels) {
+  const std::string map = spine(folder()).string(), out = (folder() / "extracted").string();
+  const Outcome extracted = run("extract " + map + " --labels 20-22,23,24-26 -o " + out);
+  EXPECT_EQ(extracted.code, 0) << extracted.output;
+  EXPECT_THAT(extracted.output, HasSubstr("spine_L4: "));
+  EXPECT_THAT(extracted.output, HasSubstr("has no labels 24-26"));
+  EXPECT_EQ(run("inspect " + out + "/spine_L1.ply").code, 0);
+  EXPECT_EQ(run("extract " + map + " --labels 20,3 -o " + out + "2").code, 1);
+  EXPECT_FALSE(fs::exists(out + "2"));
+  EXPECT_EQ(run("extract " + map + " --labels 24-20 -o " + out).code, 2);
+  EXPECT_EQ(run("extract " + map + " --numbering other -o " + out).code, 2);
+  const Outcome other = run("extract " + map + " --numbering totalsegmentator --json -o " + out + "3");
+  EXPECT_EQ(other.code, 1) << "labels 20 to 23 are no vertebrae there";
+  EXPECT_THAT(other.output, HasSubstr("--label-names"));
+  std::ofstream(folder() / "names.csv") << "label,name\n21,second\n";
+  const Outcome named = run("extract " + map + " --quiet --label-names " + (folder() / "names.csv").string() +
+                            " -o " + out + "4");
+  EXPECT_EQ(named.code, 0) << named.output;
+  EXPECT_TRUE(fs::exists(out + "4/spine_second.ply"));
+  const auto record = nlohmann::json::parse(contents(out + "4/extract.json"));
+  EXPECT_EQ(record.at("command"), "foramen extract spine.nii.gz --label-names names.csv");
+}
+
+TEST_F(Cli, BuildTakesLabelMapsAndSaysSo) {
+  const std::string map = spine(folder()).string();
+  const fs::path one = folder() / "labels1", two = folder() / "labels2";
+  const std::string build = "build --method icp --landmarks 400 --samples 5 --labels 20-24 " + map + " -o ";
+  const Outcome built = run(build + one.string() + " --threads 1");
+  ASSERT_EQ(built.code, 0) << built.output;
+  EXPECT_THAT(built.output, HasSubstr("has no label 24"));
+  ASSERT_EQ(run(build + two.string() + " --threads 2 --quiet").code, 0);
+  EXPECT_TRUE(files_of(one) == files_of(two));
+  const auto record = nlohmann::json::parse(contents(one / "run.json"));
+  EXPECT_EQ(record.at("command"),
+            "foramen build spine.nii.gz --method icp --landmarks 400 --samples 5 --labels 20-24");
+  EXPECT_EQ(record.at("options").at("label_maps").at("labels"), "20-24");
+  ASSERT_EQ(record.at("inputs").size(), 4u);
+  EXPECT_EQ(record.at("inputs").at(1).at("file"), "spine.nii.gz");
+  EXPECT_EQ(record.at("inputs").at(1).at("label"), 21);
+  EXPECT_EQ(record.at("inputs").at(1).at("sha256"), sha256_of_file(map));
+  EXPECT_EQ(record.at("shapes").at(1).at("name"), "spine_L2");
+  // In the label map's own place.
+  const MeshFile corresponding = read_mesh(one / "corresponding" / "spine_L2.ply");
+  for (const Vec3& p : corresponding.soup.points) EXPECT_LT((p - Vec3(-27, 0, 0)).norm(), 30);
+  const Outcome meshes =
+      run("build --labels 20 " + (synth() / "shapes").string() + " -o " + (folder() / "m").string());
+  EXPECT_EQ(meshes.code, 1);
+  EXPECT_THAT(meshes.output, HasSubstr("no label map among the inputs"));
 }
 
 }  // namespace

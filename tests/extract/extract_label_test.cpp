@@ -104,7 +104,7 @@ TEST(ExtractLabel, NoVertexLeavesItsBall) {
 }
 
 TEST(ExtractLabel, TheSamePointsHoweverTheMapIsStored) {
-  const LabelMap map = torus_map({1, 2, 1.5});
+  const LabelMap map = torus_map({2, 3, 2.5});
   const TriangleSoup expected = extract(map).surface;
   std::array<int, 3> order{0, 1, 2};
   do {

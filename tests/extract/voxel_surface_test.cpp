@@ -37,11 +37,20 @@ BinaryVolume cube_volume(unsigned corners) {
 }
 
 // V - E + F - C of the cubical complex whose vertices are the voxels of that kind, neighbours across faces.
+// Where two opposite corners of a cube are of the other kind and do not touch (neighbours across edges at
+// most), the six between them fill a hexagon.
 int euler_number_of_voxels(const BinaryVolume& volume, bool inside) {
   int euler = 0;
   for (int k = 0; k < volume.size[2]; ++k)
     for (int j = 0; j < volume.size[1]; ++j)
-      for (int i = 0; i < volume.size[0]; ++i)
+      for (int i = 0; i < volume.size[0]; ++i) {
+        if (i + 1 < volume.size[0] && j + 1 < volume.size[1] && k + 1 < volume.size[2]) {
+          unsigned of_kind = 0;
+          for (int c = 0; c < 8; ++c)
+            if (volume.at(i + (c & 1), j + (c >> 1 & 1), k + (c >> 2 & 1)) == inside) of_kind |= 1U << c;
+          for (int c = 0; c < 4; ++c)
+            if (of_kind == (255U ^ 1U << c ^ 1U << (7 - c))) ++euler;
+        }
         for (int cell = 0; cell < 8; ++cell) {  // spans the axes of its bits
           bool all = true;
           for (int corner = 0; corner < 8; ++corner) {
@@ -52,6 +61,7 @@ int euler_number_of_voxels(const BinaryVolume& volume, bool inside) {
           }
           if (all) euler += (__builtin_popcount(static_cast<unsigned>(cell)) % 2 == 0) ? 1 : -1;
         }
+      }
   return euler;
 }
 

@@ -43,9 +43,10 @@ std::vector<Case> nifti_cases() {
   const std::string good = nifti_bytes(map);
   std::string wide = good, huge = good, colours = good, no_orientation = good, sheared = good, other = good;
   for (const std::size_t d : {0, 1, 2}) {
-    set_value<std::int16_t>(wide, 42 + 2 * d, 2048);
+    set_value<std::int16_t>(wide, 42 + 2 * d, 1260);
     set_value<std::int16_t>(huge, 42 + 2 * d, 32767);
   }
+  set_value<std::int16_t>(wide, 70, 64);  // of 8 bytes
   set_value<std::int16_t>(no_orientation, 254, 0);
   set_value<float>(sheared, 284, 0.2F);
   std::string four = good;
@@ -68,7 +69,7 @@ std::vector<Case> nifti_cases() {
       {"short packed header", "a.nii.gz", packed(good.substr(0, 100)), "has only 100 bytes"},
       {"not packed", "a.nii.gz", good, "bytes, less than a NIfTI header"},
       {"packed under the other name", "a.nii", packed(good), "NIfTI header"},
-      {"16 GB promised", "a.nii", wide, "needs"},
+      {"16 GB promised", "a.nii", wide, "which need 16003008352 bytes"},
       {"16 GB promised, packed", "a.nii.gz", packed(wide), "compressed ones are there"},
       {"more than can be numbered", "a.nii", huge, "more than foramen can hold"},
       {"negative size", "a.nii", nifti_with<std::int16_t>(44, -5), "6 x -5 x 4"},
@@ -90,7 +91,8 @@ std::vector<Case> nifti_cases() {
        "voxels measure"},
       {"far origin", "a.nii", nifti_with<float>(292, 1e9F), "its origin is at"},
       {"cut off", "a.nii", good.substr(0, good.size() - 1), "are there"},
-      {"cut off, packed", "a.nii.gz", packed(good).substr(0, packed(good).size() / 2), "ends or is damaged"},
+      {"cut off, packed", "a.nii.gz", packed(good).substr(0, packed(good).size() - 20),
+       "ends or is damaged after"},
       {"checksum cut off", "a.nii.gz", packed(good).substr(0, packed(good).size() - 5), "damaged"},
       {"wrong checksum", "a.nii.gz", flipped_bit, "damaged"},
       {"no whole numbers", "a.nii", halves, "2.5"},
@@ -197,7 +199,7 @@ TEST(MalformedLabelMap, CutOffAnywhereIsAnError) {
       {"a.mha", meta_header(map) + "CompressedData = True\nElementDataFile = LOCAL\n" + packed(raw, false)}};
   for (const auto& [name, bytes] : files) {
     EXPECT_NO_THROW(read_label_map(folder.file(name, bytes)));
-    for (std::size_t length = 0; length < bytes.size(); ++length)
+    for (std::size_t length = 0; length < bytes.size(); length += 7)
       EXPECT_THROW(read_label_map(folder.file(name, bytes.substr(0, length))), IoError)
           << name << " " << length;
   }

@@ -64,14 +64,54 @@ TEST(BuildModel, AnUnknownReferenceIsRefused) {
   EXPECT_THROW(build_model(family(), options, RunContext(1)), InvalidInput);
 }
 
-TEST(ChooseReference, TakesTheShapeOfMedianSize) {
+// A needle of ever smaller triangles about a triangle of the surface: a surface like any other, but its
+// harmonic map shrinks the needle's tip to nothing.
+TriangleSoup with_needle(TriangleSoup soup) {
+  const std::array<int, 3> base = soup.triangles.back();
+  soup.triangles.pop_back();
+  std::array<Vec3, 3> corners;
+  for (std::size_t m = 0; m < 3; ++m) corners[m] = soup.points[static_cast<std::size_t>(base[m])];
+  const Vec3 step = 0.5 * unit_normal(corners), centre = (corners[0] + corners[1] + corners[2]) / 3;
+  constexpr int rings = 60;
+  std::array<int, 3> below = base;
+  for (int r = 1; r <= rings; ++r) {
+    std::array<int, 3> ring{};
+    for (std::size_t m = 0; m < 3; ++m) {
+      ring[m] = static_cast<int>(soup.points.size());
+      soup.points.push_back(centre + 0.5 * (corners[m] - centre) + r * step);
+    }
+    for (std::size_t m = 0; m < 3; ++m) {
+      const std::size_t n = (m + 1) % 3;
+      soup.triangles.push_back({below[m], below[n], ring[n]});
+      soup.triangles.push_back({below[m], ring[n], ring[m]});
+    }
+    below = ring;
+  }
+  soup.triangles.push_back(below);
+  return soup;
+}
+
+TEST(BuildModel, AnOrdinaryShapeThatHasNoMapIsNotTheReference) {
+  Cohort cohort = family();
+  const int first = rank_references(cohort.shapes).front();
+  InputShape& ragged = cohort.shapes[static_cast<std::size_t>(first)];
+  ragged.mesh = build_mesh(with_needle(ragged.mesh.soup()));
+  ASSERT_EQ(rank_references(cohort.shapes).front(), first) << "the needle weighs nothing";
+  const std::string name = ragged.file_name;
+  const ModelBuild build = build_model(std::move(cohort), small(), RunContext(2));
+  EXPECT_THAT(build.notes, ::testing::ElementsAre(HasSubstr(name + " cannot be the reference")));
+  EXPECT_GE(build.shapes.size(), 3u);
+  EXPECT_NE(build.shapes[static_cast<std::size_t>(build.reference)].input.file_name, name);
+}
+
+TEST(RankReferences, BeginsWithTheShapeOfMedianSize) {
   std::vector<InputShape> shapes;
   for (double size : {1.3, 0.8, 1.0, 1.1, 0.5}) {
     TriangleSoup soup = testing::torus_soup(16, 10);
     for (Vec3& p : soup.points) p *= size;
     shapes.push_back(shape("x", soup));
   }
-  EXPECT_EQ(choose_reference(shapes), 2);
+  EXPECT_THAT(rank_references(shapes), ::testing::ElementsAre(2, 3, 1, 0, 4));
 }
 
 }  // namespace

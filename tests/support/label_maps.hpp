@@ -50,7 +50,7 @@ template <class T>
 void set_value(std::string& bytes, std::size_t offset, T value, bool big_endian = false) {
   std::string raw;
   append_value(raw, value, big_endian);
-  bytes.replace(offset, raw.size(), raw);
+  for (std::size_t i = 0; i < raw.size(); ++i) bytes.at(offset + i) = raw[i];
 }
 
 template <class T>
@@ -117,7 +117,9 @@ inline std::string sizes_of(const LabelMap& map) {
 /// The header of an NRRD file of uint16, little endian, in that space, up to the encoding and the blank line.
 inline std::string nrrd_header(const LabelMap& map, const std::string& space = "left-posterior-superior",
                                const Vec3& signs = Vec3::Ones()) {
-  const auto vector = [&](const Vec3& v) { return "(" + numbers(signs.cwiseProduct(v), ",") + ")"; };
+  const auto vector = [&](const Vec3& v) {
+    return std::string("(").append(numbers(signs.cwiseProduct(v), ",")).append(")");
+  };
   return "NRRD0004\n# a comment\ntype: unsigned short\ndimension: 3\nspace: " + space +
          "\nsizes: " + sizes_of(map) + "\nspace directions: " + vector(map.axes.col(0)) + " " +
          vector(map.axes.col(1)) + " " + vector(map.axes.col(2)) +
@@ -129,7 +131,7 @@ inline std::string nrrd_header(const LabelMap& map, const std::string& space = "
 inline std::string meta_header(const LabelMap& map) {
   const Vec3 spacing = map.axes.colwise().norm().transpose();
   std::string matrix;
-  for (int d = 0; d < 3; ++d) matrix += " " + numbers(map.axes.col(d) / spacing[d], " ");
+  for (int d = 0; d < 3; ++d) matrix.append(" ").append(numbers(map.axes.col(d) / spacing[d], " "));
   return "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nTransformMatrix "
          "=" +
          matrix + "\nOffset = " + numbers(map.origin, " ") +

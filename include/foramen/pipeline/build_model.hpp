@@ -30,7 +30,7 @@ enum class Objective {
 struct BuildOptions {
   Method method = Method::torus;
   Objective objective = Objective::surface;
-  std::string reference = "auto";     ///< A shape's stem, or auto: see choose_reference().
+  std::string reference = "auto";     ///< A shape's stem, or auto: the first of rank_references() with a map.
   RegisterOptions registration = {};  ///< of the reference, and of all shapes with Objective::neighbours
   RegisterGroupOptions group = {};    ///< of all shapes with Objective::surface
   int landmarks = 4000;               ///< Budget; refinement may add 5 %.
@@ -58,7 +58,8 @@ struct ShapeOutcome {
 struct ModelBuild {
   std::vector<ShapeOutcome> shapes;  ///< used, in order of stem
   std::vector<LeftOut> left_out;
-  int reference = 0;  ///< index into shapes
+  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  int reference = 0;               ///< index into shapes
   Reference reference_map;
   LandmarkMesh landmarks;
   int inserted_landmarks = 0;  ///< added to the budget by refinement
@@ -80,8 +81,8 @@ bool registered_together(const BuildOptions& options);
 /// shape whose registration fails is left out with the reason.
 ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunContext& ctx);
 
-/// The most ordinary shape by a cheap rule: smallest sum of absolute deviations of log area and log volume
-/// from the cohort's medians. The first of equals.
-int choose_reference(const std::vector<InputShape>& shapes);
+/// The shapes from the most ordinary on, by a cheap rule: smallest sum of absolute deviations of log area and
+/// log volume from the cohort's medians. Equals in their order.
+std::vector<int> rank_references(const std::vector<InputShape>& shapes);
 
 }  // namespace foramen
