@@ -26,6 +26,8 @@ class RunContext {
   int threads() const { return threads_; }
   /// The same run (stop request, progress) with another number of threads.
   RunContext with_threads(int threads) const;
+  /// The same run without its callback, for work that is a small part of a stage.
+  RunContext without_progress() const;
   /// Asks all work under this context to stop. Async-signal-safe.
   void request_stop() const noexcept { state_->stop.store(true); }
   bool stop_requested() const noexcept { return state_->stop.load(); }
@@ -41,6 +43,7 @@ class RunContext {
     Callback on_progress;
   };
   int threads_;
+  bool reports_ = true;
   std::shared_ptr<State> state_;
 };
 
