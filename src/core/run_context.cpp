@@ -27,13 +27,19 @@ RunContext RunContext::with_store(std::shared_ptr<StageStore> store, std::string
   return other;
 }
 
+RunContext RunContext::without_progress() const {
+  RunContext other = *this;
+  other.reports_ = false;
+  return other;
+}
+
 void RunContext::check() const {
   if (stop_requested()) throw Cancelled();
 }
 
 void RunContext::step(std::string_view stage, double fraction) const {
   check();
-  if (!state_->on_progress) return;
+  if (!reports_ || !state_->on_progress) return;
   if (state_->reporting.test_and_set()) return;  // another thread is reporting: this report may be dropped
   struct Release {
     std::atomic_flag& flag;

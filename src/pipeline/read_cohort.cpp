@@ -132,7 +132,7 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
     const fs::path& file = files[static_cast<std::size_t>(i)];
     auto& result = results[static_cast<std::size_t>(i)];
     try {
-      result = read_shape(file, unit, repair, RunContext(1));
+      result = read_shape(file, unit, repair, ctx.with_threads(1).without_progress());
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {

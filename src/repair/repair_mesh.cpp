@@ -37,7 +37,7 @@ bool is_inside(const TriangleTree& surface, const std::vector<Vec3>& points) {
 // A closed, connected, manifold, oriented surface without anything else that needs mending here.
 bool is_one_surface(const TriangleSoup& soup) {
   const MeshReport report = inspect_mesh(soup);
-  return report.genus.has_value() && report.duplicate_triangles == 0;
+  return report.genus.has_value() && report.invalid_triangles == 0 && report.duplicate_triangles == 0;
 }
 
 class Repair {

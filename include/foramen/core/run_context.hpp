@@ -34,6 +34,8 @@ class RunContext {
   /// Null: nothing is kept.
   StageStore* store() const { return store_.get(); }
   const std::string& store_scope() const { return store_scope_; }
+  /// The same run without its callback, for work that is a small part of a stage.
+  RunContext without_progress() const;
   /// Asks all work under this context to stop. Async-signal-safe.
   void request_stop() const noexcept { state_->stop.store(true); }
   bool stop_requested() const noexcept { return state_->stop.load(); }
@@ -49,6 +51,7 @@ class RunContext {
     Callback on_progress;
   };
   int threads_;
+  bool reports_ = true;
   std::shared_ptr<State> state_;
   std::shared_ptr<StageStore> store_;
   std::string store_scope_;
