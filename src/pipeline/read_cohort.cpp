@@ -62,18 +62,29 @@ void require_plausible_size(double diagonal, LengthUnit unit) {
   throw InvalidInput(message);
 }
 
+// The shape that this one is a copy of; null if there is none.
+const InputShape* same_surface(const InputShape& shape, const std::vector<InputShape>& others) {
+  const auto found = std::find_if(others.begin(), others.end(), [&](const InputShape& other) {
+    const auto a = shape.mesh.positions(), b = other.mesh.positions();
+    return shape.mesh.triangles() == other.mesh.triangles() && std::equal(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return found == others.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
   std::vector<fs::path> files;
   for (const fs::path& input : inputs) {
-    if (fs::is_directory(input)) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(input, failed);
+    if (fs::is_directory(status)) {
       const auto found = meshes_in_folder(input);
       files.insert(files.end(), found.begin(), found.end());
-    } else if (fs::exists(input)) {
+    } else if (fs::exists(status)) {
       files.push_back(input);
     } else {
-      throw InvalidInput(input.string() + ": there is no such file or folder");
+      throw InvalidInput(input.string() + ": there is no such file or folder (" + failed.message() + ")");
     }
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -127,10 +138,15 @@ Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const Ru
   });
   Cohort cohort;
   for (auto& result : results) {
-    if (auto* shape = std::get_if<InputShape>(&result))
-      cohort.shapes.push_back(std::move(*shape));
-    else
+    auto* shape = std::get_if<InputShape>(&result);
+    if (shape == nullptr)
       cohort.left_out.push_back(std::get<LeftOut>(std::move(result)));
+    else if (const InputShape* original = same_surface(*shape, cohort.shapes))
+      cohort.left_out.push_back({shape->stem, shape->file_name, shape->sha256,
+                                 "the same surface as " + original->file_name +
+                                     ", vertex by vertex; a model counts a shape once: remove the copy"});
+    else
+      cohort.shapes.push_back(std::move(*shape));
   }
   return cohort;
 }
