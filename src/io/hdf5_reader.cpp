@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/hdf5_file.hpp"
+#include "io/file_bytes.hpp"
 #include "io/hdf5_handle.hpp"
 
 namespace foramen {
@@ -43,7 +45,8 @@ struct H5Reader::File {
     H5Handle set(H5Dopen2(id, path.c_str(), H5P_DEFAULT), H5Dclose);
     if (!set.valid()) refuse(path, "is no dataset that can be opened (HDF5: " + io_detail::h5_reason() + ")");
     const H5Handle properties(H5Dget_create_plist(set), H5Pclose);
-    if (H5Pget_external_count(properties) > 0) refuse(path, "keeps its data in another file");
+    if (H5Pget_external_count(properties) > 0 || H5Pget_layout(properties) == H5D_VIRTUAL)
+      refuse(path, "keeps its data in another file");
     return set;
   }
 
@@ -58,6 +61,7 @@ struct H5Reader::File {
   // The number of elements, or a refusal if the file cannot hold so many.
   std::size_t checked_count(hid_t set, const std::vector<std::size_t>& shape, std::size_t element_bytes,
                             const std::string& path) const {
+    if (element_bytes == 0) refuse(path, "has elements without a size");
     const H5Handle properties(H5Dget_create_plist(set), H5Pclose);
     // Chunks may be packed; deflate, the densest filter in use, packs at most about 1032 bytes into one.
     constexpr std::uint64_t densest = 1032;
@@ -143,20 +147,22 @@ struct H5Reader::File {
 
 namespace {
 
-std::uint64_t size_of_hdf5(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw IoError(path.string() + ": no such file; check the name and the folder");
-  const auto size = std::filesystem::file_size(path, error);
-  const H5Silence silence;
-  if (H5Fis_hdf5(path.c_str()) <= 0)
-    throw IoError(path.string() + ": is no HDF5 file; check its format and extension");
-  return size;
+// At the beginning, or after a user block of 512 bytes or a power of two more.
+bool is_hdf5(std::string_view bytes) {
+  constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
+  for (std::size_t at = 0; at < bytes.size(); at = at == 0 ? 512 : 2 * at)
+    if (bytes.substr(at).starts_with(signature)) return true;
+  return false;
 }
 
-H5Handle open_file(const std::filesystem::path& path) {
+// From memory: a file that changes, or a disk that fails, while HDF5 reads is one thing less to trust it with.
+H5Handle open_file(const std::filesystem::path& path, std::string& bytes) {
   const H5Silence silence;
-  H5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!is_hdf5(bytes)) throw IoError(path.string() + ": is no HDF5 file; check its format and extension");
+  const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(access, io_detail::h5_memory_step, false);
+  H5Pset_file_image(access, bytes.data(), bytes.size());
+  H5Handle file(H5Fopen(io_detail::h5_memory_name().c_str(), H5F_ACC_RDONLY, access), H5Fclose);
   if (!file.valid())
     throw IoError(path.string() + ": cannot be opened (HDF5: " + io_detail::h5_reason() +
                   "); the file is damaged or cut off: copy or write it again");
@@ -165,8 +171,10 @@ H5Handle open_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-H5Reader::H5Reader(const std::filesystem::path& path)
-    : file_(new File{path.string(), size_of_hdf5(path), open_file(path)}) {}
+H5Reader::H5Reader(const std::filesystem::path& path) {
+  std::string bytes = io_detail::read_bytes(path);
+  file_.reset(new File{path.string(), bytes.size(), open_file(path, bytes)});
+}
 
 H5Reader::~H5Reader() {
   const H5Silence silence;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
@@ -12,6 +13,11 @@ using io_detail::H5Handle;
 using io_detail::H5Silence;
 
 namespace io_detail {
+
+std::string h5_memory_name() {
+  static std::atomic<unsigned> counter{0};
+  return "/dev/null/" + std::to_string(counter++);
+}
 
 std::string h5_reason() {
   std::string reason;
@@ -34,7 +40,7 @@ struct H5Writer::File {
 
   [[noreturn]] void fail(const std::string& path) const {
     throw IoError(name + ": " + path + " cannot be written (HDF5: " + io_detail::h5_reason() +
-                  "); check the folder, its permissions and the space on the disk");
+                  "); is there enough memory?");
   }
   const H5Handle& checked(const H5Handle& handle, const std::string& path) const {
     if (!handle.valid()) fail(path);
@@ -65,16 +71,17 @@ struct H5Writer::File {
 
 namespace {
 
+// In memory: HDF5 1.10 crashes when a disk is full.
 H5Handle create_file(const std::filesystem::path& path) {
   const H5Silence silence;
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fapl_core(access, io_detail::h5_memory_step, false);
   H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18);
   const H5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation, false);
-  H5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
+  H5Handle file(H5Fcreate(io_detail::h5_memory_name().c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
   if (!file.valid())
-    throw IoError(path.string() + ": cannot be created (HDF5: " + io_detail::h5_reason() +
-                  "); check the folder, its permissions and the space on the disk");
+    throw IoError(path.string() + ": cannot be begun in memory (HDF5: " + io_detail::h5_reason() + ")");
   return file;
 }
 
@@ -200,17 +207,19 @@ void H5Writer::attribute(const std::string& path, const std::string& name, std::
   if (H5Awrite(file_->checked(attribute, path), type, terminated.c_str()) < 0) file_->fail(path);
 }
 
-void H5Writer::close() {
+std::string H5Writer::bytes() const {
   const H5Silence silence;
-  if (H5Fflush(file_->id, H5F_SCOPE_GLOBAL) < 0 || !file_->id.reset()) file_->fail("its end");
+  if (H5Fflush(file_->id, H5F_SCOPE_GLOBAL) < 0) file_->fail("its end");
+  const ssize_t size = H5Fget_file_image(file_->id, nullptr, 0);
+  std::string image(static_cast<std::size_t>(std::max<ssize_t>(size, 0)), '\0');
+  if (size <= 0 || H5Fget_file_image(file_->id, image.data(), image.size()) != size) file_->fail("its image");
+  return image;
 }
 
 void write_h5(const std::filesystem::path& path, const std::function<void(H5Writer&)>& write) {
-  write_file_with(path, [&](const std::filesystem::path& temporary) {
-    H5Writer writer(temporary);
-    write(writer);
-    writer.close();
-  });
+  H5Writer writer(path);
+  write(writer);
+  write_file(path, writer.bytes());
 }
 
 template void H5Writer::scalar<float>(const std::string&, float);

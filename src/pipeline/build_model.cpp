@@ -18,6 +18,7 @@ namespace foramen {
 namespace {
 
 constexpr int fewest_shapes = 3;
+constexpr double least_variation_mm = 1e-5;  // of a landmark; rounding of coordinates in files is as large
 
 class Stopwatch {
  public:
@@ -232,6 +233,10 @@ ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunCont
     std::vector<double> weights = landmark_weights(shapes, triangles, options.scale, options.weights);
     build.procrustes = procrustes(shapes, options.scale, weights);
     build.model = build_shape_model(build.procrustes.aligned, triangles, std::move(weights));
+    if (std::sqrt(build.model.variance().sum() / build.model.total_weight()) < least_variation_mm)
+      throw InvalidInput(
+          "all shapes are the same but for their position: there is no variation to make a model of; are they "
+          "copies of one file?");
   });
   return build;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <map>
 
 #include <nlohmann/json.hpp>
@@ -312,10 +313,14 @@ class ShapeFigures {
  public:
   explicit ShapeFigures(const std::filesystem::path& file) : file_(file.string()) {
     const Table table = read_csv(file);
-    const std::size_t item = table.column("item"), kind = table.column("kind"), modes = table.column("modes"),
-                      measure = table.column("measure"), value = table.column("value");
-    for (const auto& row : table.rows)
-      if (row[kind] == "shape") figures_[{row[measure], row[modes], row[item]}] = parse_number(row[value]);
+    try {
+      const std::size_t item = table.column("item"), kind = table.column("kind"), modes = table.column("modes"),
+                        measure = table.column("measure"), value = table.column("value");
+      for (const auto& row : table.rows)
+        if (row[kind] == "shape") figures_[{row[measure], row[modes], row[item]}] = parse_number(row[value]);
+    } catch (const IoError& e) {
+      throw IoError(file_ + ": " + e.what());
+    }
   }
   double at(const std::string& measure, int modes, const std::string& shape) const {
     const auto found = figures_.find({measure, std::to_string(modes), shape});
@@ -363,6 +368,14 @@ std::string metrics_json(const Evaluation& e) {
   return out.dump(2);
 }
 
+Evaluation parse_metrics(std::string_view json, const std::string& name) {
+  try {
+    return evaluation_from(ordered_json::parse(json));
+  } catch (const nlohmann::json::exception& e) {
+    throw IoError(name + ": is not a metrics file of this version (" + e.what() + ")");
+  }
+}
+
 void write_metrics(const std::filesystem::path& folder, const Evaluation& evaluation) {
   write_file(folder / "metrics.json", metrics_json(evaluation) + "\n");
   write_csv(folder / "metrics.csv", {"item", "kind", "modes", "measure", "value", "unit"},
@@ -374,11 +387,7 @@ Evaluation read_metrics(const std::filesystem::path& folder) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw IoError(file.string() + ": cannot be read; `foramen build` and `foramen evaluate -o` write it");
-  try {
-    return evaluation_from(ordered_json::parse(in));
-  } catch (const nlohmann::json::exception& e) {
-    throw IoError(file.string() + ": is not a metrics file of this version (" + e.what() + ")");
-  }
+  return parse_metrics(std::string(std::istreambuf_iterator<char>(in), {}), file.string());
 }
 
 Evaluation read_metrics_of_shapes(const std::filesystem::path& folder) {

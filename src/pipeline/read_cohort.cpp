@@ -91,6 +91,16 @@ TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
   return soup;
 }
 
+// The shape that this one is a copy of; null if there is none.
+const InputShape* same_surface(const InputShape& shape, const std::vector<InputShape>& others) {
+  const auto found = std::find_if(others.begin(), others.end(), [&](const InputShape& other) {
+    const auto a = shape.mesh.positions(), b = other.mesh.positions();
+    return shape.mesh.triangles() == other.mesh.triangles() &&
+           std::equal(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return found == others.end() ? nullptr : &*found;
+}
+
 // What names a file's shapes: equal ones clash. A label map's shapes have longer names than it.
 std::pair<std::string, bool> stem_of(const fs::path& file) {
   const bool label_map = is_label_map(file);
@@ -100,13 +110,15 @@ std::pair<std::string, bool> stem_of(const fs::path& file) {
 std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind& kind) {
   std::vector<fs::path> files;
   for (const fs::path& input : inputs) {
-    if (fs::is_directory(input)) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(input, failed);
+    if (fs::is_directory(status)) {
       const auto found = files_in_folder(input, kind);
       files.insert(files.end(), found.begin(), found.end());
-    } else if (fs::exists(input)) {
+    } else if (fs::exists(status)) {
       files.push_back(input);
     } else {
-      throw InvalidInput(input.string() + ": there is no such file or folder");
+      throw InvalidInput(input.string() + ": there is no such file or folder (" + failed.message() + ")");
     }
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -140,10 +152,15 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
     }
   });
   for (auto& result : results) {
-    if (auto* shape = std::get_if<InputShape>(&result))
-      cohort.shapes.push_back(std::move(*shape));
-    else
+    auto* shape = std::get_if<InputShape>(&result);
+    if (shape == nullptr)
       cohort.left_out.push_back(std::get<LeftOut>(std::move(result)));
+    else if (const InputShape* original = same_surface(*shape, cohort.shapes))
+      cohort.left_out.push_back({shape->stem, shape->file_name, shape->sha256,
+                                 "the same surface as " + source_of(*original) +
+                                     ", vertex by vertex; a model counts a shape once: remove the copy"});
+    else
+      cohort.shapes.push_back(std::move(*shape));
   }
 }
 

@@ -25,8 +25,7 @@ std::string header(const std::string& key, std::string_view bytes) {
 ResumeStore::ResumeStore(const fs::path& model_folder, Start start) : folder_(model_folder / ".resume") {
   std::error_code failed;
   if (start == Start::anew) fs::remove_all(folder_, failed);
-  fs::create_directory(folder_, failed);
-  if (fs::is_directory(folder_, failed)) remove_leftovers(folder_);
+  remove_leftovers(folder_);
 }
 
 fs::path ResumeStore::file_of(const std::string& key) const { return folder_ / sha256(key); }
@@ -50,12 +49,15 @@ std::optional<std::string> ResumeStore::load(const std::string& key) {
 
 void ResumeStore::keep(const std::string& key, std::string_view bytes) {
   if (!keeping_) return;
+  std::error_code failed;
+  fs::create_directory(folder_, failed);
   try {
     write_file(file_of(key), header(key, bytes).append(bytes));
   } catch (const IoError& e) {
-    if (keeping_.exchange(false))
-      note(std::string("finished stages are no longer kept, so that this build could not be resumed: ") +
-           e.what());
+    if (!keeping_.exchange(false)) return;
+    note(std::string("finished stages are not kept, so that this build could not be resumed: ") + e.what());
+    // On a full disk the model needs the room.
+    fs::remove_all(folder_, failed);
   }
 }
 

@@ -1,18 +1,14 @@
 // The program as a user meets it: exit codes, messages, files.
 
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/program.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/sha256.hpp"
 #include "support/label_maps.hpp"
@@ -25,38 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-struct Outcome {
-  int code;
-  std::string output;  // stdout and stderr together
-};
-
-Outcome run(const std::string& arguments) {
-  const std::string command = std::string(FORAMEN_PROGRAM) + " " + arguments + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string output;
-  char buffer[4096];
-  while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
-}
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-// All files of a folder but run.json (and the report's pictures' source does not matter: the page is among
-// them).
-std::map<std::string, std::string> files_of(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && entry.path().filename() != "run.json")
-      files[fs::relative(entry.path(), folder).string()] = contents(entry.path());
-  return files;
-}
+using testing::bytes_of;
+using testing::files_of;
+using testing::Outcome;
+using testing::run;
 
 // A small synthetic cohort, made once for all tests.
 class Cli : public ::testing::Test {
@@ -130,7 +98,7 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
     EXPECT_TRUE(files_of(two).at(name) == bytes) << name << " differs between 1 and 2 threads";
     EXPECT_TRUE(files_of(again).at(name) == bytes) << name << " differs from run to run";
   }
-  const auto record = nlohmann::json::parse(contents(one / "run.json"));
+  const auto record = nlohmann::json::parse(bytes_of(one / "run.json"));
   EXPECT_EQ(record.at("shapes").size(), 4u);
   for (const auto& shape : record.at("shapes")) EXPECT_EQ(shape.at("certificate").at("flipped"), 0);
 
@@ -155,12 +123,12 @@ TEST_F(Cli, ARefitIsReportedInEveryFile) {
                             (synth() / "shapes").string() + " -o " + model.string());
   ASSERT_EQ(built.code, 0) << built.output;
   EXPECT_THAT(built.output, HasSubstr("4 of 4 shapes entered"));
-  const auto metrics = nlohmann::json::parse(contents(model / "metrics.json"));
+  const auto metrics = nlohmann::json::parse(bytes_of(model / "metrics.json"));
   EXPECT_EQ(metrics.at("refit").at("names").size(), 4u);
   EXPECT_EQ(metrics.at("refit").at("by_modes").size(), 2u);
-  EXPECT_THAT(contents(model / "metrics.csv"), HasSubstr("refit_mean_surface"));
-  EXPECT_THAT(contents(model / "report.html"), HasSubstr("refit, leave one shape out"));
-  const auto record = nlohmann::json::parse(contents(model / "run.json"));
+  EXPECT_THAT(bytes_of(model / "metrics.csv"), HasSubstr("refit_mean_surface"));
+  EXPECT_THAT(bytes_of(model / "report.html"), HasSubstr("refit, leave one shape out"));
+  const auto record = nlohmann::json::parse(bytes_of(model / "run.json"));
   EXPECT_THAT(record.at("command").get<std::string>(), HasSubstr("--refit"));
   EXPECT_EQ(run("compare " + model.string() + " " + model.string()).code, 0);
 }
@@ -172,14 +140,14 @@ TEST_F(Cli, AreaWeightsAreTakenAndRecorded) {
       run("build --landmarks 400 --samples 5 --weights AREA " + shapes + " -o " + model.string());
   ASSERT_EQ(built.code, 0) << built.output;
   EXPECT_THAT(built.output, HasSubstr("landmark weights: area"));
-  const auto record = nlohmann::json::parse(contents(model / "run.json"));
+  const auto record = nlohmann::json::parse(bytes_of(model / "run.json"));
   EXPECT_EQ(record.at("options").at("landmark_weights"), "area");
   EXPECT_THAT(record.at("command").get<std::string>(), HasSubstr("--weights area"));
   EXPECT_EQ(run("sample " + model.string() + " -n 2 -o " + (folder() / "area_samples").string()).code, 0);
 
   const std::string evaluate = "evaluate --samples 5 --shapes " + shapes + " -o " + metrics.string() + " ";
   const auto of = [](const fs::path& where) {
-    return nlohmann::json::parse(contents(where / "metrics.json"));
+    return nlohmann::json::parse(bytes_of(where / "metrics.json"));
   };
   ASSERT_EQ(run(evaluate + "--weights area " + model.string()).code, 0);
   EXPECT_NEAR(of(metrics).at("total_variance_mm2"), of(model).at("total_variance_mm2"), 1e-4)
@@ -203,7 +171,7 @@ TEST_F(Cli, PartsOfTheRegistrationAreChosenAndRecorded) {
     const Outcome outcome =
         run("build --landmarks 400 --samples 5 " + parts + " " + shapes + " -o " + model.string());
     EXPECT_EQ(outcome.code, 0) << outcome.output;
-    return nlohmann::json::parse(contents(model / "run.json"));
+    return nlohmann::json::parse(bytes_of(model / "run.json"));
   };
   const auto rigid = built("--rounds 0 --distortion plane --bending rigid --lambda 0.2");
   const auto& options = rigid.at("options");

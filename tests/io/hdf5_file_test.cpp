@@ -133,7 +133,9 @@ TEST(H5File, EachMistakeHasItsMessage) {
   const std::string bytes = bytes_of(folder.file("a.h5"));
   EXPECT_THAT(message([&] { H5Reader(folder.file("c.h5", bytes.substr(0, bytes.size() / 2))); }),
               HasSubstr("the file is damaged or cut off"));
-  EXPECT_THAT(message([&] { H5Writer(folder.file("none") / "a.h5"); }), HasSubstr("cannot be created"));
+  EXPECT_THAT(message([&] { H5Reader(folder.file("d.h5", "")); }), HasSubstr("is empty"));
+  EXPECT_THAT(message([&] { write_h5(folder.file("none") / "a.h5", write_everything); }),
+              HasSubstr("its folder does not exist"));
 }
 
 // A size in the header that the file cannot hold must not be believed.

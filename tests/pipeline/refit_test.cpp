@@ -7,7 +7,9 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "pipeline/model_archive.hpp"
 #include "pipeline/torus_family.hpp"
+#include "support/memory_store.hpp"
 
 namespace foramen {
 namespace {
@@ -114,6 +116,30 @@ TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
   EXPECT_THAT(refit.failures[1].reason, HasSubstr("at least 3"));
   ASSERT_EQ(refit.generalization.by_modes.size(), 2u);
   EXPECT_EQ(refit.generalization.by_modes[0].items.size(), 2u);
+}
+
+TEST(Refit, GroupsDoneBeforeAreTakenUp) {
+  BuildOptions options = quick();
+  options.method = Method::icp;
+  const ModelBuild build = build_model(family(), options, RunContext(2));
+  GeneralizationOptions by_subject = measure;
+  by_subject.leave_out = LeaveOut::subject;
+  const auto refit = [&](const RunContext& ctx) {
+    const RefitGeneralization r = refit_generalization(build, {"a", "a", "b", "c"}, options, by_subject, ctx);
+    ByteWriter bytes;
+    bytes(r.names, r.failures);
+    for (const ErrorsAtModes& e : r.generalization.by_modes)
+      for (const ShapeError& s : e.items) bytes(e.modes, s.hausdorff, s.mean_surface, s.landmark_rms);
+    return bytes.take();
+  };
+  const auto store = std::make_shared<testing::MemoryStore>();
+  const RunContext first = RunContext(1).with_store(store, "");
+  store->stop(first, 2);
+  EXPECT_THROW(refit(first), Cancelled);
+  const std::string resumed = refit(RunContext(2).with_store(store, ""));
+  EXPECT_EQ(store->loads, 2);
+  EXPECT_EQ(store->size(), 3);
+  EXPECT_EQ(resumed, refit(RunContext(1)));
 }
 
 TEST(Refit, AStopRequestReachesTheBuilds) {

@@ -99,7 +99,7 @@ TEST(ResumeStore, GoesOnWithoutKeepingWhereNothingCanBeWritten) {
   store.keep("one", bytes);
   store.keep("two", bytes);
   EXPECT_EQ(store.load("one"), std::nullopt);
-  EXPECT_THAT(store.notes(), ElementsAre(HasSubstr("no longer kept")));
+  EXPECT_THAT(store.notes(), ElementsAre(HasSubstr("not kept")));
 }
 
 TEST(StageScope, NamesEverySurfaceAndOption) {

@@ -38,7 +38,7 @@ Eigen::MatrixXd eigen_matrix(const H5Matrix<float>& matrix);
 /// T is float, double or std::int32_t throughout.
 class H5Writer {
  public:
-  /// Creates or truncates the file. Throws IoError, as all members do when HDF5 refuses.
+  /// A file in memory; the path names it in errors. Throws IoError, as all members do when HDF5 refuses.
   explicit H5Writer(const std::filesystem::path& path);
   ~H5Writer();
   H5Writer(const H5Writer&) = delete;
@@ -61,15 +61,15 @@ class H5Writer {
   void strings(const std::string& path, std::span<const std::string> texts);
   /// A string attribute of an existing group or dataset. Dataspace SIMPLE (1), fixed length, NUL at its end.
   void attribute(const std::string& path, const std::string& name, std::string_view text);
-  /// Writes everything out. Without it the destructor does, but cannot report an error.
-  void close();
+  /// The file as it stands.
+  std::string bytes() const;
 
  private:
   struct File;
   std::unique_ptr<File> file_;
 };
 
-/// Calls `write` with a writer of a temporary file, closes it and puts it in its place (write_file_with).
+/// Calls `write` with a writer and puts what it has written in its place, whole or not at all (write_file()).
 void write_h5(const std::filesystem::path& path, const std::function<void(H5Writer&)>& write);
 
 /// Every member throws IoError naming file, path and what was found: not there, another kind, rank or type, a

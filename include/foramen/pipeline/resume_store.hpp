@@ -24,7 +24,8 @@ class ResumeStore : public StageStore {
   ResumeStore(const std::filesystem::path& model_folder, Start start);
 
   std::optional<std::string> load(const std::string& key) override;
-  /// What cannot be written is not kept, and nothing after it, with a note: the build itself goes on.
+  /// If it cannot be written, nothing is kept any more, what was is given up, with a note, and the build goes
+  /// on.
   void keep(const std::string& key, std::string_view bytes) override;
 
   /// Stages that need not be done again.

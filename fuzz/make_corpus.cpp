@@ -1,0 +1,117 @@
+// Writes what the fuzzers begin with: make_corpus FOLDER. Small files of every kind, good ones and broken ones.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "foramen/io/mesh_file.hpp"
+#include "foramen/io/statismo_file.hpp"
+#include "foramen/pipeline/atlas_file.hpp"
+#include "foramen/pipeline/metrics_file.hpp"
+#include "io/malformed_meshes.hpp"
+#include "io/mesh_bytes.hpp"
+#include "support/meshes.hpp"
+#include "support/torus_cohort.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string number(double x) { return std::to_string(x) + " "; }
+
+std::string point_lines(const TriangleSoup& soup, const std::string& before) {
+  std::string text;
+  for (const Vec3& p : soup.points) text += before + number(p.x()) + number(p.y()) + number(p.z()) + "\n";
+  return text;
+}
+
+std::string triangle_lines(const TriangleSoup& soup, const std::string& before, int first) {
+  std::string text;
+  for (const auto& t : soup.triangles) {
+    text += before;
+    for (int corner : t) text += std::to_string(corner + first) + " ";
+    text += "\n";
+  }
+  return text;
+}
+
+void write_meshes(const fs::path& folder) {
+  const TriangleSoup torus = testing::torus_soup(5, 4), tetrahedron = testing::tetrahedron();
+  for (const auto& [name, soup] : {std::pair<std::string, TriangleSoup>("torus", torus), {"tetrahedron", tetrahedron}}) {
+    const std::string v = std::to_string(soup.points.size()), f = std::to_string(soup.triangles.size());
+    const std::string points = point_lines(soup, ""), faces = triangle_lines(soup, "3 ", 0);
+    write_ply(folder / (name + ".ply"), soup);
+    write_vtp(folder / (name + ".vtp"), soup);
+    write_file(folder / (name + "_text.ply"), testing::malformed::ply(v, f, points + faces));
+    write_file(folder / (name + ".stl"), testing::binary_stl(soup));
+    write_file(folder / (name + "_text.stl"), testing::ascii_stl(soup));
+    write_file(folder / (name + ".obj"), point_lines(soup, "v ") + triangle_lines(soup, "f ", 1));
+    write_file(folder / (name + ".off"), "OFF\n" + v + " " + f + " 0\n" + points + faces);
+    write_file(folder / (name + ".vtk"), "# vtk DataFile Version 3.0\nSPACE=RAS\nASCII\nDATASET POLYDATA\nPOINTS " + v +
+                                             " float\n" + points + "POLYGONS " + f + " " +
+                                             std::to_string(4 * soup.triangles.size()) + "\n" + faces);
+  }
+  for (const auto& file : testing::malformed::all_files())
+    write_file(folder / (file.name + "." + file.extension), file.bytes);
+}
+
+Atlas small_atlas() {
+  constexpr int around = 5, tube = 4;
+  Atlas atlas;
+  atlas.surface = build_mesh(testing::torus_soup(around, tube));
+  atlas.map.turns = VertexMap<Vec2>(atlas.surface.vertex_count(), Vec2(0.25, 0.5));
+  atlas.map.jumps = HalfedgeMap<Vec2i>(atlas.surface.halfedge_count(), Vec2i(1, -2));
+  for (int i = 0; i < around; ++i) atlas.loops[0].emplace_back(i * tube);
+  for (int j = 0; j < tube; ++j) atlas.loops[1].emplace_back(j);
+  atlas.landmarks.turns = {Vec2(0.1, 0.2), Vec2(0.3, 0.4), Vec2(0.5, 0.6)};
+  atlas.landmarks.triangles = {{0, 1, 2}};
+  atlas.landmarks.jumps = HalfedgeMap<Vec2i>(3, Vec2i::Zero());
+  atlas.names = {"a"};
+  atlas.transforms = {Eigen::Matrix4d::Identity()};
+  return atlas;
+}
+
+void write_models(const fs::path& folder) {
+  StatismoModel model;
+  const TriangleSoup soup = testing::tetrahedron();
+  model.points = soup.points;
+  model.triangles = soup.triangles;
+  model.mean = flattened(soup.points);
+  model.basis = Eigen::MatrixXd::Identity(model.mean.size(), 2);
+  model.variance = Eigen::Vector2d(2, 1);
+  model.scores = Eigen::MatrixXd::Constant(2, 3, 0.5);
+  model.shape_uris = {"a.ply", "b.ply", "c.ply"};
+  model.parameters = {{"command", "foramen build"}};
+  write_statismo(folder / "model.h5", model);
+  model.landmark_weights = {1, 2, 3, 4};
+  write_statismo(folder / "weighted.h5", model);
+  write_atlas(folder / "atlas.h5", small_atlas());
+  const CorrespondingCohort cohort = testing::torus_cohort({.shapes = 3});
+  EvaluationOptions options;
+  options.draws = 2;
+  options.samples = options.specificity_samples = 20;
+  write_file(folder / "metrics.json", metrics_json(evaluate_model(cohort, options, RunContext(1))));
+}
+
+}  // namespace
+}  // namespace foramen
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: make_corpus FOLDER\n");
+    return 2;
+  }
+  try {
+    const std::filesystem::path folder = argv[1];
+    for (const char* target : {"mesh", "model"}) std::filesystem::create_directories(folder / target);
+    foramen::write_meshes(folder / "mesh");
+    foramen::write_models(folder / "model");
+    return 0;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "make_corpus: %s\n", e.what());
+    return 1;
+  }
+}

@@ -1,0 +1,35 @@
+// Any bytes, read as each file of a model: refused with one of our errors, or sound.
+#include "foramen/core/error.hpp"
+#include "foramen/io/statismo_file.hpp"
+#include "foramen/pipeline/atlas_file.hpp"
+#include "foramen/pipeline/metrics_file.hpp"
+#include "fuzz_input.hpp"
+
+namespace foramen {
+namespace {
+
+template <class Read>
+void read_or_refuse(const Read& read) {
+  try {
+    read();
+  } catch (const Error&) {
+  }
+}
+
+void fuzz(std::string_view bytes) {
+  if (bytes.starts_with('{')) {
+    read_or_refuse([&] { parse_metrics(bytes, "fuzzed"); });
+    return;
+  }
+  const fuzzing::MemoryFile file(bytes);
+  read_or_refuse([&] { read_statismo(file.path()); });
+  read_or_refuse([&] { read_atlas(file.path()); });
+}
+
+}  // namespace
+}  // namespace foramen
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  foramen::fuzz({reinterpret_cast<const char*>(data), size});
+  return 0;
+}

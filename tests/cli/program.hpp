@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// The program, run as a user runs it.
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "support/temporary_folder.hpp"
+
+namespace foramen::testing {
+
+struct Outcome {
+  int code;            // -1: ended by a signal
+  std::string output;  // stdout and stderr together
+};
+
+inline Outcome run_shell(const std::string& command) {
+  FILE* pipe = popen(("(" + command + ") 2>&1").c_str(), "r");
+  std::string output;
+  char buffer[4096];
+  while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
+  const int status = pclose(pipe);
+  // A shell says 128 + n of a program that signal n ended; 130 is also the program's own.
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return {code > 128 && code != 130 ? -1 : code, output};
+}
+
+inline Outcome run(const std::string& arguments) { return run_shell(FORAMEN_PROGRAM " " + arguments); }
+
+/// All files of a folder, hidden ones too, but run.json: with their bytes, by their paths in it.
+inline std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().filename() != "run.json")
+      files[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+  return files;
+}
+
+}  // namespace foramen::testing
