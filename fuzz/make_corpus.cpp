@@ -1,4 +1,5 @@
-// Writes what the fuzzers begin with: make_corpus FOLDER. Small files of every kind, good ones and broken ones.
+// Writes what the fuzzers begin with: make_corpus FOLDER. Small files of every kind, good ones and broken
+// ones.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -40,7 +41,8 @@ std::string triangle_lines(const TriangleSoup& soup, const std::string& before, 
 
 void write_meshes(const fs::path& folder) {
   const TriangleSoup torus = testing::torus_soup(5, 4), tetrahedron = testing::tetrahedron();
-  for (const auto& [name, soup] : {std::pair<std::string, TriangleSoup>("torus", torus), {"tetrahedron", tetrahedron}}) {
+  for (const auto& [name, soup] :
+       {std::pair<std::string, TriangleSoup>("torus", torus), {"tetrahedron", tetrahedron}}) {
     const std::string v = std::to_string(soup.points.size()), f = std::to_string(soup.triangles.size());
     const std::string points = point_lines(soup, ""), faces = triangle_lines(soup, "3 ", 0);
     write_ply(folder / (name + ".ply"), soup);
@@ -50,9 +52,9 @@ void write_meshes(const fs::path& folder) {
     write_file(folder / (name + "_text.stl"), testing::ascii_stl(soup));
     write_file(folder / (name + ".obj"), point_lines(soup, "v ") + triangle_lines(soup, "f ", 1));
     write_file(folder / (name + ".off"), "OFF\n" + v + " " + f + " 0\n" + points + faces);
-    write_file(folder / (name + ".vtk"), "# vtk DataFile Version 3.0\nSPACE=RAS\nASCII\nDATASET POLYDATA\nPOINTS " + v +
-                                             " float\n" + points + "POLYGONS " + f + " " +
-                                             std::to_string(4 * soup.triangles.size()) + "\n" + faces);
+    write_file(folder / (name + ".vtk"),
+               "# vtk DataFile Version 3.0\nSPACE=RAS\nASCII\nDATASET POLYDATA\nPOINTS " + v + " float\n" +
+                   points + "POLYGONS " + f + " " + std::to_string(4 * soup.triangles.size()) + "\n" + faces);
   }
   for (const auto& file : testing::malformed::all_files())
     write_file(folder / (file.name + "." + file.extension), file.bytes);

@@ -1,4 +1,5 @@
-// Any bytes, read as a mesh of every format, inspected, and built: refused with one of our errors, or a sound mesh.
+// Any bytes, read as a mesh of every format, inspected, and built: refused with one of our errors, or a sound
+// mesh.
 #include <cstdlib>
 
 #include "foramen/core/error.hpp"

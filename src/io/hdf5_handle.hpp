@@ -50,8 +50,8 @@ class H5Silence {
 /// By how much a file in memory grows at a time, bytes.
 inline constexpr std::size_t h5_memory_step = 1 << 20;
 
-/// A name for a file in memory: no file on disk can have it, and no other in memory has (HDF5 would take two of
-/// one name for the same).
+/// A name for a file in memory: no file on disk can have it, and no other in memory has (HDF5 would take two
+/// of one name for the same).
 std::string h5_memory_name();
 
 /// The innermost reason of the last error, as HDF5 words it.

@@ -155,7 +155,8 @@ bool is_hdf5(std::string_view bytes) {
   return false;
 }
 
-// From memory: a file that changes, or a disk that fails, while HDF5 reads is one thing less to trust it with.
+// From memory: a file that changes, or a disk that fails, while HDF5 reads is one thing less to trust it
+// with.
 H5Handle open_file(const std::filesystem::path& path, std::string& bytes) {
   const H5Silence silence;
   if (!is_hdf5(bytes)) throw IoError(path.string() + ": is no HDF5 file; check its format and extension");

@@ -235,7 +235,8 @@ ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunCont
     build.model = build_shape_model(build.procrustes.aligned, triangles, std::move(weights));
     if (std::sqrt(build.model.variance().sum() / build.model.total_weight()) < least_variation_mm)
       throw InvalidInput(
-          "all shapes are the same but for their position: there is no variation to make a model of; are they "
+          "all shapes are the same but for their position: there is no variation to make a model of; are "
+          "they "
           "copies of one file?");
   });
   return build;

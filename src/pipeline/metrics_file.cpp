@@ -314,8 +314,9 @@ class ShapeFigures {
   explicit ShapeFigures(const std::filesystem::path& file) : file_(file.string()) {
     const Table table = read_csv(file);
     try {
-      const std::size_t item = table.column("item"), kind = table.column("kind"), modes = table.column("modes"),
-                        measure = table.column("measure"), value = table.column("value");
+      const std::size_t item = table.column("item"), kind = table.column("kind"),
+                        modes = table.column("modes"), measure = table.column("measure"),
+                        value = table.column("value");
       for (const auto& row : table.rows)
         if (row[kind] == "shape") figures_[{row[measure], row[modes], row[item]}] = parse_number(row[value]);
     } catch (const IoError& e) {

@@ -20,9 +20,9 @@ namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::bytes_of;
 using testing::files_of;
+using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::run;
 

@@ -23,14 +23,15 @@ inline const std::string xyz = "property float x\nproperty float y\nproperty flo
 inline const std::string list = "property list uchar int vertex_indices\n";
 
 inline std::string ply(const std::string& vertices, const std::string& faces, const std::string& body,
-                const std::string& encoding = "ascii") {
+                       const std::string& encoding = "ascii") {
   return "ply\nformat " + encoding + " 1.0\nelement vertex " + vertices + "\n" + xyz + "element face " +
          faces + "\n" + list + "end_header\n" + body;
 }
 
 inline const std::string three = "0 0 0\n1 0 0\n0 1 0\n";
 
-inline std::string binary_triangle(const std::string& count, const std::string& last_corner, float first_x = 0) {
+inline std::string binary_triangle(const std::string& count, const std::string& last_corner,
+                                   float first_x = 0) {
   std::string body = raw(first_x);
   for (float x : {0.F, 0.F, 1.F, 0.F, 0.F, 0.F, 1.F, 0.F}) body += raw(x);
   return body + count + raw(std::int32_t{0}) + raw(std::int32_t{1}) + last_corner;

@@ -14,8 +14,8 @@ namespace foramen {
 /// each shape.
 std::string metrics_json(const Evaluation& evaluation);
 
-/// The way back: everything but the single items behind the estimates. Throws IoError, which calls the text by
-/// this name.
+/// The way back: everything but the single items behind the estimates. Throws IoError, which calls the text
+/// by this name.
 Evaluation parse_metrics(std::string_view json, const std::string& name);
 
 /// FOLDER/metrics.json, and FOLDER/metrics.csv with the columns item, kind (shape or draw), modes, measure,

@@ -9,8 +9,8 @@ namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::bytes_of;
+using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::run;
 using testing::TemporaryFolder;
@@ -21,8 +21,8 @@ class BadModels : public ::testing::Test {
     folder_ = new TemporaryFolder;
     const std::string made = folder_->path().string();
     ASSERT_EQ(run("synth -n 3 --seed 4 --vertices 1500 --quiet -o " + made).code, 0);
-    const Outcome built = run("build --method icp --landmarks 300 --samples 5 --quiet " + made + "/shapes -o " + made +
-                              "/model");
+    const Outcome built = run("build --method icp --landmarks 300 --samples 5 --quiet " + made +
+                              "/shapes -o " + made + "/model");
     ASSERT_EQ(built.code, 0) << built.output;
   }
   static void TearDownTestSuite() { delete folder_; }
@@ -40,7 +40,8 @@ class BadModels : public ::testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     return text.replace(at, from.size(), to);
   }
-  static void expect_refused(const std::string& arguments, const std::string& file, const std::string& message) {
+  static void expect_refused(const std::string& arguments, const std::string& file,
+                             const std::string& message) {
     SCOPED_TRACE(arguments + ": " + message);
     const Outcome refused = run(arguments);
     EXPECT_EQ(refused.code, 1) << refused.output;
@@ -123,8 +124,8 @@ TEST_F(BadModels, ThatClaimMoreThanTheyHold) {
     bytes.replace(at, 8, size(std::uint64_t{1} << 32));
   ASSERT_GT(changed, 0);
   const fs::path model = broken("model.h5", bytes);
-  const Outcome refused = testing::run_shell("ulimit -v 3000000; " FORAMEN_PROGRAM " sample " + model.string() +
-                                             " -o " + scratch_.file("out").string());
+  const Outcome refused = testing::run_shell("ulimit -v 3000000; " FORAMEN_PROGRAM " sample " +
+                                             model.string() + " -o " + scratch_.file("out").string());
   EXPECT_EQ(refused.code, 1) << refused.output;
   EXPECT_THAT(refused.output, HasSubstr("model.h5: "));
   EXPECT_THAT(refused.output, ::testing::Not(HasSubstr("out of memory")));
@@ -140,13 +141,15 @@ TEST_F(BadModels, WhoseMetricsAreNone) {
   expect_bad_metrics(std::string(100000, '['), why);
   expect_bad_metrics(replaced(json, "\"names\"", "\"nomes\""), why);
   expect_bad_metrics(replaced(json, "\"landmarks\": ", "\"landmarks\": \"many\", \"x\": "), why);
-  expect_refused("compare " + scratch_.path().string() + " " + good().string(), "metrics.json", "cannot be read");
+  expect_refused("compare " + scratch_.path().string() + " " + good().string(), "metrics.json",
+                 "cannot be read");
 }
 
 TEST_F(BadModels, WhoseTableDoesNotBelongToTheMetrics) {
   const std::string csv = bytes_of(good() / "metrics.csv");
   const auto refused = [&](const std::string& bytes, const std::string& message) {
-    expect_refused("compare " + broken("metrics.csv", bytes).string() + " " + good().string(), "metrics.csv", message);
+    expect_refused("compare " + broken("metrics.csv", bytes).string() + " " + good().string(), "metrics.csv",
+                   message);
   };
   refused("", "");
   refused("item,kind\n", "modes");

@@ -105,7 +105,8 @@ TEST_F(BadPlaces, InputsThatAreTooFewOrTheSame) {
   const fs::path model = scratch("m");
   expect_refused(quick(shape(1), model), "at least 3 usable shapes, found 1");
   expect_refused(quick(shape(1) + " " + shape(2), model), "at least 3 usable shapes, found 2");
-  expect_refused(quick(shape(1) + " " + shape(1) + " " + shape(1), model), "at least 3 usable shapes, found 1");
+  expect_refused(quick(shape(1) + " " + shape(1) + " " + shape(1), model),
+                 "at least 3 usable shapes, found 1");
   expect_refused(quick(twins.string(), model), "found 1");
   expect_refused(quick(twins.string(), model), "left out c.ply: the same surface as a.ply");
   expect_refused(quick(shapes().string() + " " + elsewhere.string(), model),
@@ -123,8 +124,9 @@ TEST_F(BadPlaces, CopiesInOtherPosesLeaveNothingToModel) {
     std::ofstream(copies / (std::to_string(i) + ".off")) << testing::off_text(soup);
   }
   const fs::path model = scratch("no_variation");
-  expect_refused("build --rounds 0 --landmarks 300 --samples 5 --quiet " + copies.string() + " -o " + model.string(),
-                 "all shapes are the same but for their position");
+  expect_refused(
+      "build --rounds 0 --landmarks 300 --samples 5 --quiet " + copies.string() + " -o " + model.string(),
+      "all shapes are the same but for their position");
   EXPECT_FALSE(fs::exists(model / "mean.ply"));
 }
 
@@ -133,7 +135,8 @@ TEST_F(BadPlaces, NamesInOptionsThatFitNothing) {
   const fs::path model = scratch("m"), truth = scratch("truth");
   fs::create_directories(truth);
   fs::copy_file(shape(1), truth / "synth001.ply");
-  expect_refused(quick(all + " --reference nobody", model), "--reference nobody: no usable input has this name");
+  expect_refused(quick(all + " --reference nobody", model),
+                 "--reference nobody: no usable input has this name");
   expect_refused(quick(all + " --subject-regex '('", model), "--subject-regex (: not a regular expression");
   expect_refused(quick(all + " --truth " + truth.string(), model),
                  "there is no true correspondence for the shape synth002");
@@ -143,9 +146,11 @@ TEST_F(BadPlaces, NamesInOptionsThatFitNothing) {
 TEST_F(BadPlaces, FoldersThatCannotBeMade) {
   std::ofstream(scratch("file")) << "x";
   expect_refused(quick(shapes().string(), scratch("file")), "file: cannot be made a folder");
-  expect_refused(quick(shapes().string(), scratch("file") / "m"), "cannot be made a folder (Not a directory)");
+  expect_refused(quick(shapes().string(), scratch("file") / "m"),
+                 "cannot be made a folder (Not a directory)");
   expect_refused(quick(shapes().string(), "/proc/m"), "/proc/m: cannot be made a folder");
-  expect_refused(quick(shapes().string(), std::string(300, 'x')), "cannot be made a folder (File name too long)");
+  expect_refused(quick(shapes().string(), std::string(300, 'x')),
+                 "cannot be made a folder (File name too long)");
   EXPECT_EQ(testing::bytes_of(scratch("file")), "x");
 }
 
@@ -168,8 +173,8 @@ TEST_F(BadPlaces, WhatThePermissionsForbid) {
   fs::copy_file(shape(1), closed / "a.ply");
   fs::permissions(secret, fs::perms::none);
   fs::permissions(closed, fs::perms::none);
-  fs::permissions(fixed, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
-                             fs::perms::others_exec);
+  fs::permissions(
+      fixed, fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec);
   fs::permissions(open, fs::perms::all);
   const auto expect_forbidden = [&](const std::string& arguments, const std::string& message) {
     SCOPED_TRACE(arguments);
@@ -179,12 +184,15 @@ TEST_F(BadPlaces, WhatThePermissionsForbid) {
   };
   expect_forbidden(quick(secret.string(), open / "m"), "secret.ply: cannot be opened (Permission denied)");
   expect_forbidden(quick(closed.string(), open / "m"), "closed: cannot read the folder (Permission denied)");
-  expect_forbidden(quick((closed / "a.ply").string(), open / "m"), "a.ply: there is no such file or folder (Perm");
+  expect_forbidden(quick((closed / "a.ply").string(), open / "m"),
+                   "a.ply: there is no such file or folder (Perm");
   expect_forbidden(quick(shapes().string(), fixed / "m"), "cannot be made a folder (Permission denied)");
   expect_forbidden(quick(shapes().string(), fixed), "fixed: the folder cannot be written to");
   expect_forbidden("inspect " + secret.string(), "secret.ply: cannot be opened (Permission denied)");
-  expect_forbidden("sample " + secret.string() + " -o " + (open / "s").string(), "secret.ply: cannot be opened");
-  EXPECT_EQ(run_shell(as_nobody(quick(shapes().string(), open / "m"))).code, 0) << "where nothing is forbidden";
+  expect_forbidden("sample " + secret.string() + " -o " + (open / "s").string(),
+                   "secret.ply: cannot be opened");
+  EXPECT_EQ(run_shell(as_nobody(quick(shapes().string(), open / "m"))).code, 0)
+      << "where nothing is forbidden";
   fs::permissions(closed, fs::perms::owner_all);
 }
 
@@ -225,7 +233,8 @@ TEST_F(BadPlaces, AFullDiskLeavesNothingHalfWritten) {
     EXPECT_THAT(refused.output, HasSubstr("No space left on device"));
     EXPECT_THAT(refused.output, HasSubstr("the space on the disk"));
     for (const auto& [name, contents] : testing::files_of(place / "m"))
-      EXPECT_TRUE(name.starts_with(".resume/") || contents == expected.at(name)) << name << " is half-written";
+      EXPECT_TRUE(name.starts_with(".resume/") || contents == expected.at(name))
+          << name << " is half-written";
   }
 }
 

@@ -26,8 +26,8 @@ inline void PrintTo(const BadShape& shape, std::ostream* out) { *out << shape.fi
 
 /// Text that reads back as the same numbers, by a format that can hold any.
 inline std::string off_text(const TriangleSoup& soup) {
-  std::string text = "OFF\n" + std::to_string(soup.points.size()) + " " +
-                     std::to_string(soup.triangles.size()) + " 0\n";
+  std::string text =
+      "OFF\n" + std::to_string(soup.points.size()) + " " + std::to_string(soup.triangles.size()) + " 0\n";
   char line[128];
   for (const Vec3& p : soup.points) {
     std::snprintf(line, sizeof line, "%.17g %.17g %.17g\n", p.x(), p.y(), p.z());
@@ -148,26 +148,31 @@ inline std::vector<std::pair<std::string, std::pair<TriangleSoup, std::string>>>
   return {
       {"two_pieces", {beside(ring(), ring(), Vec3(120, 0, 0)), "it consists of 2 separate pieces"}},
       {"inner_shell", {beside(ring(), torus_soup(16, 10, 40, 6), Vec3::Zero()), "2 separate pieces"}},
-      {"stray_triangle", {beside(ring(), {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, Vec3(0, 0, 40)),
-                          "2 separate pieces"}},
-      {"not_welded", {[] {
-                        Soup apart;
-                        for (const auto& t : ring().triangles)
-                          apart = beside(std::move(apart), {{ring().points[static_cast<std::size_t>(t[0])],
-                                                             ring().points[static_cast<std::size_t>(t[1])],
-                                                             ring().points[static_cast<std::size_t>(t[2])]},
-                                                            {{0, 1, 2}}},
-                                         Vec3::Zero());
-                        return apart;
-                      }(),
-                      "320 separate pieces"}},
+      {"stray_triangle",
+       {beside(ring(), {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, Vec3(0, 0, 40)),
+        "2 separate pieces"}},
+      {"not_welded",
+       {[] {
+          Soup apart;
+          for (const auto& t : ring().triangles)
+            apart = beside(std::move(apart),
+                           {{ring().points[static_cast<std::size_t>(t[0])],
+                             ring().points[static_cast<std::size_t>(t[1])],
+                             ring().points[static_cast<std::size_t>(t[2])]},
+                            {{0, 1, 2}}},
+                           Vec3::Zero());
+          return apart;
+        }(),
+        "320 separate pieces"}},
       {"one_hole", {changed_ring([](Soup& s) { s.triangles.pop_back(); }), "it is open: 3 boundary edges"}},
-      {"many_holes", {changed_ring([](Soup& s) {
-                        for (std::size_t k : {200u, 100u, 50u, 3u})
-                          s.triangles.erase(s.triangles.begin() + static_cast<std::ptrdiff_t>(k));
-                      }),
-                      "it is open: 12 boundary edges"}},
-      {"cut_at_the_scans_edge", {changed_ring([](Soup& s) { s.triangles.resize(200); }), "it is open: 20 boundary"}},
+      {"many_holes",
+       {changed_ring([](Soup& s) {
+          for (std::size_t k : {200u, 100u, 50u, 3u})
+            s.triangles.erase(s.triangles.begin() + static_cast<std::ptrdiff_t>(k));
+        }),
+        "it is open: 12 boundary edges"}},
+      {"cut_at_the_scans_edge",
+       {changed_ring([](Soup& s) { s.triangles.resize(200); }), "it is open: 20 boundary"}},
       {"one_triangle", {{{{0, 0, 0}, {60, 0, 0}, {0, 60, 0}}, {{0, 1, 2}}}, "it is open: 3 boundary edges"}},
       {"moebius_strip", {moebius_strip(), "it is open: 48 boundary edges"}},
       {"genus_0", {octahedron(), "no hole passes through the surface (genus 0)"}},
@@ -176,42 +181,49 @@ inline std::vector<std::pair<std::string, std::pair<TriangleSoup, std::string>>>
       {"genus_2_plate", {plate(2), "genus 2: 2 holes"}},
       {"genus_3", {plate(3), "genus 3: 3 holes"}},
       {"genus_9", {plate(9), "genus 9: 9 holes"}},
-      {"one_triangle_reversed", {changed_ring([](Soup& s) { std::swap(s.triangles[9][0], s.triangles[9][1]); }),
-                                 "not all wound the same way (3 edges between opposite ones)"}},
-      {"half_reversed", {changed_ring([](Soup& s) {
-                           for (std::size_t f = 0; f < 160; ++f) std::swap(s.triangles[f][0], s.triangles[f][1]);
-                         }),
-                         "not all wound the same way (20 edges between opposite ones)"}},
+      {"one_triangle_reversed",
+       {changed_ring([](Soup& s) { std::swap(s.triangles[9][0], s.triangles[9][1]); }),
+        "not all wound the same way (3 edges between opposite ones)"}},
+      {"half_reversed",
+       {changed_ring([](Soup& s) {
+          for (std::size_t f = 0; f < 160; ++f) std::swap(s.triangles[f][0], s.triangles[f][1]);
+        }),
+        "not all wound the same way (20 edges between opposite ones)"}},
       {"klein_bottle", {klein_bottle(), "not all wound the same way"}},
-      {"fin", {changed_ring([](Soup& s) {
-                 s.points.emplace_back(0, 0, 30);
-                 s.triangles.push_back({0, 1, 160});
-               }),
-               "1 edge belongs to more than two triangles (not a manifold surface)"}},
-      {"inner_wall", {changed_ring([](Soup& s) {
-                        for (int j = 1; j + 1 < 10; ++j) s.triangles.push_back({0, j, j + 1});
-                      }),
-                      "belong to more than two triangles (not a manifold surface)"}},
-      {"touching_in_a_point", {changed_ring([](Soup& s) {
-                                 for (auto& t : s.triangles)
-                                   for (int& corner : t)
-                                     if (corner == 80) corner = 0;
-                                 s.points.erase(s.points.begin() + 80);
-                                 for (auto& t : s.triangles)
-                                   for (int& corner : t)
-                                     if (corner > 80) --corner;
-                               }),
-                               "1 vertex joins parts of the surface that touch in that point alone"}},
-      {"triangle_twice", {changed_ring([](Soup& s) { s.triangles.push_back(s.triangles[5]); }),
-                          "1 triangle is there twice"}},
-      {"triangle_twice_reversed", {changed_ring([](Soup& s) {
-                                     s.triangles.push_back({s.triangles[5][1], s.triangles[5][0], s.triangles[5][2]});
-                                   }),
-                                   "1 triangle is there twice"}},
-      {"corner_twice", {changed_ring([](Soup& s) { s.triangles[5][1] = s.triangles[5][0]; }),
-                        "1 triangle uses a vertex that does not exist, or one vertex twice"}},
-      {"stray_vertex", {changed_ring([](Soup& s) { s.points.emplace_back(1, 2, 3); }),
-                        "1 vertex belongs to no triangle"}},
+      {"fin",
+       {changed_ring([](Soup& s) {
+          s.points.emplace_back(0, 0, 30);
+          s.triangles.push_back({0, 1, 160});
+        }),
+        "1 edge belongs to more than two triangles (not a manifold surface)"}},
+      {"inner_wall",
+       {changed_ring([](Soup& s) {
+          for (int j = 1; j + 1 < 10; ++j) s.triangles.push_back({0, j, j + 1});
+        }),
+        "belong to more than two triangles (not a manifold surface)"}},
+      {"touching_in_a_point",
+       {changed_ring([](Soup& s) {
+          for (auto& t : s.triangles)
+            for (int& corner : t)
+              if (corner == 80) corner = 0;
+          s.points.erase(s.points.begin() + 80);
+          for (auto& t : s.triangles)
+            for (int& corner : t)
+              if (corner > 80) --corner;
+        }),
+        "1 vertex joins parts of the surface that touch in that point alone"}},
+      {"triangle_twice",
+       {changed_ring([](Soup& s) { s.triangles.push_back(s.triangles[5]); }), "1 triangle is there twice"}},
+      {"triangle_twice_reversed",
+       {changed_ring([](Soup& s) {
+          s.triangles.push_back({s.triangles[5][1], s.triangles[5][0], s.triangles[5][2]});
+        }),
+        "1 triangle is there twice"}},
+      {"corner_twice",
+       {changed_ring([](Soup& s) { s.triangles[5][1] = s.triangles[5][0]; }),
+        "1 triangle uses a vertex that does not exist, or one vertex twice"}},
+      {"stray_vertex",
+       {changed_ring([](Soup& s) { s.points.emplace_back(1, 2, 3); }), "1 vertex belongs to no triangle"}},
       {"metres", {scaled(ring(), 1e-3), "probably in m, give --units m"}},
       {"centimetres", {scaled(ring(), 0.1), "probably in cm, give --units cm"}},
       {"micrometres", {scaled(ring(), 1e3), "probably in um, give --units um"}},

@@ -12,9 +12,9 @@ namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 using testing::bad_shapes;
 using testing::BadShape;
+using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::run_shell;
 using testing::TemporaryFolder;
@@ -48,7 +48,8 @@ TEST(BadShapesInACohort, AreLeftOutByNameAndStrictRefuses) {
   ASSERT_EQ(made.code, 0) << made.output;
   const fs::path shapes = folder.file("shapes");
   fs::copy_file(shapes / "synth001.ply", shapes / "synth001_again.ply");
-  for (const BadShape& bad : bad_shapes()) std::ofstream(shapes / bad.file_name, std::ios::binary) << bad.bytes;
+  for (const BadShape& bad : bad_shapes())
+    std::ofstream(shapes / bad.file_name, std::ios::binary) << bad.bytes;
   const std::string build = "build --method icp --landmarks 300 --samples 5 " + shapes.string() + " -o " +
                             folder.file("m").string();
   const Outcome lenient = testing::run(build);
