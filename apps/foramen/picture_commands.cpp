@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 struct PictureCommand {
   std::string model, output, baseline, shapes;
+  bool plain = false;
   Console console;
 };
 
@@ -80,8 +81,11 @@ int render(const PictureCommand& command) {
 int report(const PictureCommand& command) {
   const fs::path file =
       command.output.empty() ? fs::path(command.model) / "report.html" : fs::path(command.output);
-  write_file(file, model_page(command.model));
-  command.console.say(file.string());
+  PageOptions options{.baseline = command.baseline};
+  if (command.plain) options.kind = PageKind::plain;
+  const ModelPage page = model_page(command.model, options);
+  write_file(file, page.html);
+  command.console.say(file.string() + ": " + page.remark);
   return ExitCode::done;
 }
 
@@ -108,6 +112,9 @@ void add_report(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand("report", "writes a model's report.html again");
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("-o,--output", options->output, "another file to write");
+  command->add_option("--baseline", options->baseline,
+                      "folder of another model, to compare with: curves and differences");
+  command->add_flag("--plain", options->plain, "the plain page, also where the interactive one is built in");
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return report(*options); }; });
 }

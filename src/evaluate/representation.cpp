@@ -30,6 +30,7 @@ ShapeRepresentation measure(const CorrespondingCohort& cohort, const AlignedCoho
   result.opposing_mean = opposing_mean(corresponding.with_positions(aligned.alignment.aligned[s]), mean);
   result.self_intersections = static_cast<int>(self_intersections(surface).size());
   result.input_self_intersections = static_cast<int>(self_intersections(input).size());
+  result.map = error_map(surface, input, flips);
   return result;
 }
 

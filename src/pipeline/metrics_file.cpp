@@ -186,7 +186,8 @@ Representation representation_from(const ordered_json& j) {
                         s.at("degenerate"),
                         s.at("opposing_mean"),
                         s.at("self_intersections"),
-                        s.at("input_self_intersections")});
+                        s.at("input_self_intersections"),
+                        {}});
   r.mean_surface = estimate_from(j.at("mean_mm"));
   r.p95 = estimate_from(j.at("p95_mm"));
   r.hausdorff = estimate_from(j.at("hausdorff_mm"));

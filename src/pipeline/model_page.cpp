@@ -1,231 +1,66 @@
 #include "foramen/pipeline/model_page.hpp"
 
-#include <fstream>
+#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
 #include "foramen/core/error.hpp"
 #include "foramen/pipeline/metrics_file.hpp"
-#include "foramen/pipeline/model_folder.hpp"
-#include "foramen/pipeline/model_pictures.hpp"
-#include "foramen/render/render_scene.hpp"
+#include "foramen/report/interactive_page.hpp"
+#include "pipeline/model_findings.hpp"
 #include "pipeline/model_report.hpp"
+#include "pipeline/plain_page.hpp"
+#include "pipeline/report_data.hpp"
 
 namespace foramen {
 namespace {
 
-using nlohmann::ordered_json;
+namespace fs = std::filesystem;
 
-bool is_used(const ordered_json& shape) { return shape.at("status") != "left out"; }
-
-std::string text_of(const ordered_json& value) {
-  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
+PageKind chosen(const std::optional<PageKind>& asked) {
+  if (asked == PageKind::interactive && !has_viewer())
+    throw InvalidInput(
+        "the interactive page is not part of this build of foramen: npm was not found when it was built");
+  return asked.value_or(has_viewer() ? PageKind::interactive : PageKind::plain);
 }
 
-ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) {
-  ReportTable table{
-      "Representation and flips",
-      "Distances of the corresponding mesh to the input surface. Flipped triangles: of the map "
-      "(exact), and of the sampled mesh, plain and confirmed. Self-intersecting pairs of triangles: "
-      "of the sampled mesh, and of the input. Distortion: area-weighted mean, 4 at best.",
-      {"shape", "status", "mean, mm", "p95, mm", "Hausdorff, mm", "flips in map", "plain flips",
-       "confirmed flips", "self-int.", "of input", "distortion"},
-      {}};
-  std::size_t i = 0;
-  for (const ordered_json& shape : run.at("shapes")) {
-    if (!is_used(shape)) continue;
-    const ShapeRepresentation& r = evaluation.representation.shapes.at(i++);
-    table.rows.push_back(
-        {shape.at("name").get<std::string>(), shape.at("status").get<std::string>(),
-         fixed(r.distance.mean, 3), fixed(r.distance.p95, 3), fixed(r.distance.hausdorff, 2),
-         text_of(shape.at("flips_in_map")), std::to_string(r.plain_flips), std::to_string(r.confirmed_flips),
-         std::to_string(r.self_intersections), std::to_string(r.input_self_intersections),
-         shape.contains("distortion") ? fixed(shape.at("distortion").get<double>(), 2) : "-"});
-  }
-  return table;
+std::optional<Baseline> read_baseline(const fs::path& folder) {
+  if (folder.empty()) return std::nullopt;
+  const fs::path normal = fs::absolute(folder).lexically_normal();
+  const fs::path name = (normal.has_filename() ? normal : normal.parent_path()).filename();
+  return Baseline{"baseline: " + name.string(), read_metrics_of_shapes(folder)};
 }
 
-ReportTable left_out_table(const ordered_json& run) {
-  ReportTable table{"Left out", "", {"shape", "reason"}, {}};
-  for (const ordered_json& shape : run.at("shapes"))
-    if (!is_used(shape))
-      table.rows.push_back({shape.at("name").get<std::string>(), shape.at("reason").get<std::string>()});
-  return table;
-}
-
-ReportTable repairs_table(const ordered_json& run) {
-  ReportTable table{
-      "Repaired",
-      "These files could not be used as they are. Their distances are measured to the repaired surface, "
-      "which differs from the file's at the places named.",
-      {"shape", "changes"},
-      {}};
-  for (const ordered_json& shape : run.at("shapes"))
-    if (shape.contains("repair"))
-      table.rows.push_back({shape.at("name").get<std::string>(), shape.at("reason").get<std::string>()});
-  return table;
-}
-
-std::string flips_line(const ordered_json& run, const Evaluation& evaluation) {
-  int map_flips = 0, plain = 0, confirmed = 0;
-  for (const ordered_json& shape : run.at("shapes"))
-    if (is_used(shape) && !shape.at("flips_in_map").is_null())
-      map_flips += shape.at("flips_in_map").get<int>();
-  for (const ShapeRepresentation& r : evaluation.representation.shapes) {
-    plain += r.plain_flips;
-    confirmed += r.confirmed_flips;
-  }
-  const std::size_t triangles = evaluation.names.size() * run.at("landmark_triangles").get<std::size_t>();
-  return "flipped triangles: " + std::to_string(map_flips) + " in the maps; " + std::to_string(confirmed) +
-         " confirmed and " + std::to_string(plain) + " plain of " + std::to_string(triangles) +
-         " in the sampled meshes";
-}
-
-std::string self_intersections_line(const Evaluation& evaluation) {
-  int sampled = 0, input = 0;
-  for (const ShapeRepresentation& r : evaluation.representation.shapes) {
-    sampled += r.self_intersections;
-    input += r.input_self_intersections;
-  }
-  return "self-intersecting pairs of triangles: " + std::to_string(sampled) + " in the sampled meshes, " +
-         std::to_string(input) + " in the inputs";
-}
-
-std::string representation_line(const Evaluation& evaluation) {
-  const Representation& r = evaluation.representation;
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i < r.shapes.size(); ++i)
-    if (r.shapes[i].distance.hausdorff > r.shapes[worst].distance.hausdorff) worst = i;
-  return "representation error: mean " + fixed(r.mean_surface.mean, 3) + " mm, p95 " + fixed(r.p95.mean, 3) +
-         " mm, Hausdorff " + fixed(r.hausdorff.mean, 2) + " mm (worst " +
-         fixed(r.shapes[worst].distance.hausdorff, 2) + " mm, " + evaluation.names[worst] + ")";
-}
-
-std::string refit_line(const RefitGeneralization& refit, std::size_t shapes) {
-  const std::string left_out = refit.generalization.leave_out == LeaveOut::shape ? "shape" : "subject";
-  std::string line = "refit, correspondence computed without the " + left_out + ": " +
-                     std::to_string(refit.names.size()) + " of " + std::to_string(shapes) + " shapes entered";
-  if (const auto* g = at_quoted_modes(refit.generalization.by_modes))
-    line += ", generalization at " + std::to_string(g->modes) + " modes: Hausdorff " +
-            fixed(g->hausdorff, 2) + " mm, mean surface " + fixed(g->mean_surface, 3) + " mm";
-  return line;
-}
-
-ReportTable refit_failures_table(const Evaluation& evaluation) {
-  ReportTable table{
-      "Failed in a refit",
-      "A shape that is itself left out of the refit has no figure; another was not part of that "
-      "refit's model.",
-      {"shape", "refit without", "reason"},
-      {}};
-  for (const auto* refit : {&evaluation.refit, &evaluation.refit_by_subject})
-    if (*refit)
-      for (const RefitGeneralization::Failure& f : (*refit)->failures)
-        table.rows.push_back({f.shape, f.without, f.reason});
-  return table;
-}
-
-std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation& evaluation) {
-  const std::size_t used = evaluation.names.size();
-  std::vector<std::string> lines;
-  lines.push_back(std::to_string(used) + " of " + std::to_string(run.at("shapes").size()) +
-                  " shapes used, reference " + run.at("reference").get<std::string>() + ", " +
-                  std::to_string(evaluation.landmarks) + " landmarks (" +
-                  run.at("landmarks_inserted").dump() + " inserted by refinement), " +
-                  std::to_string(evaluation.compactness.size()) + " modes");
-  lines.push_back(flips_line(run, evaluation));
-  lines.push_back(self_intersections_line(evaluation));
-  lines.push_back(representation_line(evaluation));
-  if (const auto* g = at_quoted_modes(evaluation.leave_one_out.by_modes))
-    lines.push_back("generalization at " + std::to_string(g->modes) + " modes (leave one out): Hausdorff " +
-                    fixed(g->hausdorff, 2) + " mm, mean surface " + fixed(g->mean_surface, 3) + " mm");
-  for (const auto* refit : {&evaluation.refit, &evaluation.refit_by_subject})
-    if (*refit) lines.push_back(refit_line(**refit, used));
-  if (const auto* s = at_quoted_modes(evaluation.specificity.by_modes))
-    lines.push_back("specificity at " + std::to_string(s->modes) + " modes: Hausdorff " +
-                    fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
-  lines.push_back(drawn_shapes_line(evaluation.drawn));
-  lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) +
-                  " mm² a landmark (landmark weights: " + std::string(name(evaluation.options.weights)) +
-                  ")");
-  if (evaluation.truth)
-    lines.push_back("truth error: mean " + fixed(evaluation.truth->error.mean, 2) + " mm, p95 " +
-                    fixed(evaluation.truth->error.p95, 2) + " mm, largest " +
-                    fixed(evaluation.truth->error.max, 2) + " mm (floor: mean " +
-                    fixed(evaluation.truth->floor.mean, 3) + " mm)");
-  return lines;
-}
-
-ReportSection pictures_section(const Atlas& atlas, const ShapeModel& model) {
-  if (can_render()) return {.title = "Pictures", .pictures = model_pictures(atlas, model)};
-  return {
-      .title = "Pictures",
-      .paragraphs = {"None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
-                     "build time, `xvfb-run -a foramen report MODEL` writes this page with pictures."}};
-}
-
-ReportSection provenance(const ordered_json& run) {
-  ReportTable options{"Options", "", {"option", "value"}, {}};
-  for (const auto& [key, value] : run.at("options").items()) {
-    if (!value.is_object())
-      options.rows.push_back({key, text_of(value)});
-    else
-      for (const auto& [part, of_part] : value.items())
-        options.rows.push_back({key + ": " + part, text_of(of_part)});
-  }
-  ReportTable inputs{"Inputs", "", {"file", "sha256"}, {}};
-  for (const ordered_json& input : run.at("inputs"))
-    inputs.rows.push_back({input.at("file").get<std::string>(), input.at("sha256").get<std::string>()});
-  return {
-      .title = "How it was made",
-      .paragraphs = {"foramen " + run.at("version").get<std::string>() + ": " +
-                         run.at("command").get<std::string>(),
-                     "Method: M. Becker, M. Kirschner, S. Fuhrmann, S. Wesarg: Automatic Construction of "
-                     "Statistical Shape Models for Vertebrae, MICCAI 2011. Measures: R. Davies, C. Twining, "
-                     "C. Taylor: Statistical Models of Shape, Springer 2008."},
-      .tables = {options, inputs}};
-}
+std::string megabytes(std::size_t bytes) { return fixed(static_cast<double>(bytes) / 1e6, 1) + " MB"; }
 
 }  // namespace
 
-std::string model_page(const ordered_json& run, const Evaluation& evaluation, const Atlas& atlas,
-                       const ShapeModel& model) {
-  const std::vector<NamedEvaluation> curves{{text_of(run.at("options").at("method")), &evaluation}};
-  ReportPage page{"Statistical shape model", std::to_string(evaluation.names.size()) + " vertebrae", {}};
-  ReportSection summary{.title = "Summary", .findings = summary_lines(run, evaluation)};
-  if (ReportTable table = left_out_table(run); !table.rows.empty())
-    summary.tables.push_back(std::move(table));
-  if (ReportTable table = repairs_table(run); !table.rows.empty()) summary.tables.push_back(std::move(table));
-  if (ReportTable table = refit_failures_table(evaluation); !table.rows.empty())
-    summary.tables.push_back(std::move(table));
-  page.sections.push_back(std::move(summary));
-  page.sections.push_back(pictures_section(atlas, model));
-  page.sections.push_back(
-      {.title = "Evaluation",
-       .paragraphs = {"Distances are measured to the input surfaces (repaired where it says so). Bars are "
-                      "standard errors of the "
-                      "mean. Specificity alone rewards a model that lost variance: read it beside the total "
-                      "variance and the representation error."},
-       .charts = model_charts(curves)});
-  page.sections.push_back({.title = "Shapes", .tables = {shapes_table(run, evaluation)}});
-  page.sections.push_back({.title = "Figures", .tables = model_tables(curves)});
-  page.sections.push_back(provenance(run));
-  return report_html(page);
-}
-
-std::string model_page(const std::filesystem::path& folder) {
-  const auto run_file = folder / "run.json";
-  std::ifstream in(run_file, std::ios::binary);
-  if (!in) throw IoError(run_file.string() + ": cannot be read; `foramen build` writes it");
+ModelPage model_page(const fs::path& folder, const PageOptions& options) {
+  const PageKind kind = chosen(options.kind);
+  const std::optional<Baseline> baseline = read_baseline(options.baseline);
+  const ModelRecord record = read_model_record(folder);
   try {
-    return model_page(ordered_json::parse(in), read_metrics(folder), read_atlas(folder / "atlas.h5"),
-                      load_model(folder).model);
+    const PageContents contents = page_contents(record, baseline);
+    if (kind == PageKind::plain) {
+      const std::string why = has_viewer() ? "it was asked for"
+                                           : "foramen was built without npm, which makes the interactive one";
+      ModelPage page{kind, plain_page(record, contents, why), ""};
+      page.remark = "plain page, since " + why + "; " + megabytes(page.html.size());
+      return page;
+    }
+    // File names may be no UTF-8; a page must be.
+    const std::string data = report_data(record, contents)
+                                 .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    ModelPage page{kind, interactive_html(data), ""};
+    page.remark = "interactive page; " + megabytes(page.html.size()) + ", " + megabytes(data.size()) +
+                  " of them data";
+    return page;
   } catch (const nlohmann::json::exception& e) {
-    throw IoError(run_file.string() + ": is not a run record of this version (" + e.what() + ")");
+    throw IoError((folder / "run.json").string() + ": is not a run record of this version (" + e.what() + ")");
   }
 }
 
-std::string model_summary(const ordered_json& run, const Evaluation& evaluation) {
+std::string model_summary(const nlohmann::ordered_json& run, const Evaluation& evaluation) {
   std::string text;
   for (const std::string& line : summary_lines(run, evaluation)) text += (text.empty() ? "" : "\n") + line;
   return text;

@@ -13,6 +13,7 @@
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/sha256.hpp"
 #include "foramen/pipeline/corresponding_folder.hpp"
+#include "foramen/pipeline/error_maps_file.hpp"
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
@@ -77,6 +78,13 @@ CorrespondingCohort corresponding_cohort(const ModelBuild& build, const std::str
     cohort.inputs.push_back(shape.input.mesh);
   }
   return cohort;
+}
+
+std::vector<NamedErrorMap> error_maps_of(const Evaluation& evaluation) {
+  std::vector<NamedErrorMap> maps;
+  for (std::size_t i = 0; i < evaluation.names.size(); ++i)
+    maps.push_back({evaluation.names[i], evaluation.representation.shapes[i].map});
+  return maps;
 }
 
 // Adds what evaluate_model() cannot measure, since it takes whole builds.
@@ -166,10 +174,12 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   remove_stale_files(request.output, build);
   write_model_files(request.output, build, request.canonical_command, millimetres_per(request.unit));
   write_metrics(request.output, evaluation);
+  write_error_maps(request.output / "error_maps.h5", error_maps_of(evaluation));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto run = run_json(request, build, evaluation, {seconds, ctx.threads(), store->taken_up()});
-  write_file(request.output / "report.html", model_page(run, evaluation, atlas_of(build), build.model));
   write_file(request.output / "run.json", run.dump(2) + "\n");
+  const ModelPage page = model_page(request.output);  // of what was written: `foramen report` makes the same
+  write_file(request.output / "report.html", page.html);
   store->remove();
   ctx.step("write", 1);
 
@@ -177,7 +187,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   summary.left_out = build.left_out;
   for (const auto& notes : {reading_notes, notes_on(build, evaluation), store->notes()})
     summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
-  summary.text = model_summary(run, evaluation);
+  summary.text = model_summary(run, evaluation) + "\nreport.html: " + page.remark;
   summary.json = run.dump(2);
   return summary;
 }

@@ -6,6 +6,7 @@
 
 #include "foramen/core/run_context.hpp"
 #include "foramen/evaluate/cohort.hpp"
+#include "foramen/evaluate/error_map.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
 namespace foramen {
@@ -18,6 +19,7 @@ struct ShapeRepresentation {
   int opposing_mean = 0;       ///< triangles opposing the same triangle of the mean shape
   int self_intersections = 0;  ///< pairs of triangles of the corresponding mesh, as self_intersections()
   int input_self_intersections = 0;  ///< the same of the original input
+  ErrorMap map = {};                 ///< where these distances and flips are
 };
 
 struct Representation {

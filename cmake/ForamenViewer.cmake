@@ -1,0 +1,37 @@
+# The interactive page of reports: viewer/ is built by npm into one html file, which is compiled into foramen_report. Without
+# npm an empty page is compiled in, and reports are plain pages; they say so.
+option(FORAMEN_VIEWER "Build the interactive page of reports, where npm is found" ON)
+find_program(NPM_PROGRAM npm)
+
+set(viewer ${PROJECT_SOURCE_DIR}/viewer)
+set(viewer_page ${PROJECT_BINARY_DIR}/viewer/index.html)
+set(viewer_template ${PROJECT_BINARY_DIR}/viewer/viewer_template.cpp)
+set(viewer_packages ${viewer}/node_modules/.package-lock.json)
+
+if(FORAMEN_VIEWER AND NPM_PROGRAM)
+  message(STATUS "Reports: interactive pages (npm: ${NPM_PROGRAM})")
+  add_custom_command(
+    OUTPUT ${viewer_packages}
+    COMMAND ${NPM_PROGRAM} ci --silent
+    COMMAND ${CMAKE_COMMAND} -E touch ${viewer_packages}
+    DEPENDS ${viewer}/package.json ${viewer}/package-lock.json ${viewer}/.npmrc
+    WORKING_DIRECTORY ${viewer}
+    COMMENT "viewer: installing its packages (without a network, configure with -DFORAMEN_VIEWER=OFF)")
+  file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS ${viewer}/src/*)
+  add_custom_command(
+    OUTPUT ${viewer_page}
+    COMMAND ${NPM_PROGRAM} run build --silent -- --outDir ${PROJECT_BINARY_DIR}/viewer --logLevel warn
+    DEPENDS ${viewer_packages} ${viewer_sources} ${viewer}/index.html ${viewer}/vite.config.ts
+    WORKING_DIRECTORY ${viewer}
+    COMMENT "viewer: building the page")
+  add_custom_command(
+    OUTPUT ${viewer_template}
+    COMMAND ${CMAKE_COMMAND} -D PAGE=${viewer_page} -D OUTPUT=${viewer_template} -P
+            ${CMAKE_CURRENT_LIST_DIR}/embed_page.cmake
+    DEPENDS ${viewer_page} ${CMAKE_CURRENT_LIST_DIR}/embed_page.cmake ${CMAKE_CURRENT_LIST_DIR}/viewer_template.cpp.in
+    COMMENT "viewer: compiling the page in")
+else()
+  message(STATUS "Reports: plain pages (no npm, or FORAMEN_VIEWER is off)")
+  set(template_text "")
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/viewer_template.cpp.in ${viewer_template} @ONLY)
+endif()

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Where on each shape its corresponding mesh departs from the input, as a file.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "foramen/evaluate/error_map.hpp"
+
+namespace foramen {
+
+struct NamedErrorMap {
+  std::string name;  ///< stem of the shape
+  ErrorMap map;
+};
+
+/// HDF5 with these paths, P landmarks: /shapes/NAME/landmark_mm (P) single precision, /shapes/NAME/plain_flips
+/// and /shapes/NAME/confirmed_flips, indices of landmark triangles.
+void write_error_maps(const std::filesystem::path& path, const std::vector<NamedErrorMap>& maps);
+
+/// The maps of the shapes of these names, in their order. Throws IoError if one is missing or does not fit a
+/// mesh of so many landmarks and triangles.
+std::vector<ErrorMap> read_error_maps(const std::filesystem::path& path,
+                                      const std::vector<std::string>& names, int landmarks, int triangles);
+
+}  // namespace foramen
