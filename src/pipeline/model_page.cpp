@@ -49,14 +49,15 @@ ModelPage model_page(const fs::path& folder, const PageOptions& options) {
       return page;
     }
     // File names may be no UTF-8; a page must be.
-    const std::string data = report_data(record, contents)
-                                 .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    const std::string data =
+        report_data(record, contents).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     ModelPage page{kind, interactive_html(data), ""};
-    page.remark = "interactive page; " + megabytes(page.html.size()) + ", " + megabytes(data.size()) +
-                  " of them data";
+    page.remark =
+        "interactive page; " + megabytes(page.html.size()) + ", " + megabytes(data.size()) + " of them data";
     return page;
   } catch (const nlohmann::json::exception& e) {
-    throw IoError((folder / "run.json").string() + ": is not a run record of this version (" + e.what() + ")");
+    throw IoError((folder / "run.json").string() + ": is not a run record of this version (" + e.what() +
+                  ")");
   }
 }
 

@@ -86,8 +86,7 @@ std::array<std::vector<SurfacePoint>, 2> loops_on_landmarks(const Atlas& atlas) 
   // Places on the torus matter alone: any points in space will do.
   const Mesh mesh =
       build_mesh({std::vector<Vec3>(landmarks.turns.size(), Vec3::Zero()), landmarks.triangles});
-  const TorusLocator locator(
-      mesh, {atlas.map.lattice, VertexMap<Vec2>(landmarks.turns), landmarks.jumps});
+  const TorusLocator locator(mesh, {atlas.map.lattice, VertexMap<Vec2>(landmarks.turns), landmarks.jumps});
   std::array<std::vector<SurfacePoint>, 2> loops;
   for (std::size_t k = 0; k < 2; ++k)
     for (VertexId v : atlas.loops[k]) loops[k].push_back(locator.locate(atlas.map.turns[v]));
