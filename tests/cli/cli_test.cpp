@@ -273,7 +273,7 @@ TEST_F(Cli, ExtractGivesMeshesOfLabels) {
                             " -o " + out + "4");
   EXPECT_EQ(named.code, 0) << named.output;
   EXPECT_TRUE(fs::exists(out + "4/spine_second.ply"));
-  const auto record = nlohmann::json::parse(contents(out + "4/extract.json"));
+  const auto record = nlohmann::json::parse(bytes_of(out + "4/extract.json"));
   EXPECT_EQ(record.at("command"), "foramen extract spine.nii.gz --label-names names.csv");
 }
 
@@ -286,7 +286,7 @@ TEST_F(Cli, BuildTakesLabelMapsAndSaysSo) {
   EXPECT_THAT(built.output, HasSubstr("has no label 24"));
   ASSERT_EQ(run(build + two.string() + " --threads 2 --quiet").code, 0);
   EXPECT_TRUE(files_of(one) == files_of(two));
-  const auto record = nlohmann::json::parse(contents(one / "run.json"));
+  const auto record = nlohmann::json::parse(bytes_of(one / "run.json"));
   EXPECT_EQ(record.at("command"),
             "foramen build spine.nii.gz --method icp --landmarks 400 --samples 5 --labels 20-24");
   EXPECT_EQ(record.at("options").at("label_maps").at("labels"), "20-24");
