@@ -24,8 +24,8 @@ class Smoother {
   }
 
   // One step down the gradient of sum_i |u_i|^2, where the transpose of the umbrella is taken as the umbrella
-  // itself (vertices have about equally many neighbours). The operator's square has eigenvalues up to 4: a step
-  // below 1/2 makes nothing grow.
+  // itself (vertices have about equally many neighbours). The operator's square has eigenvalues up to 4: a
+  // step below 1/2 makes nothing grow.
   void descend() {
     constexpr double step = 0.45;
     const std::vector<Vec3> bend = umbrellas(umbrellas(points_));
@@ -43,13 +43,15 @@ class Smoother {
       if (std::abs(missing) <= accepted * volume) return;
       const double distance = missing / total_area(now);
       const auto normals = vertex_normals(now);
-      for (const VertexId v : now.vertices()) points_[static_cast<std::size_t>(v.index)] += distance * normals[v];
+      for (const VertexId v : now.vertices())
+        points_[static_cast<std::size_t>(v.index)] += distance * normals[v];
       put_back();
     }
   }
 
-  // Halves the way of the vertices where the surface meets itself and of their neighbours, and in the end takes it
-  // back, until it meets itself no more: at the latest where it began. Returns how many are concerned.
+  // Halves the way of the vertices where the surface meets itself and of their neighbours, and in the end
+  // takes it back, until it meets itself no more: at the latest where it began. Returns how many are
+  // concerned.
   int part() {
     std::vector<char> restrained(points_.size(), 0);
     constexpr int halvings = 6;
@@ -61,7 +63,8 @@ class Smoother {
         for (const FaceId f : {a, b})
           for (const VertexId v : mesh_.corners(f)) {
             now[static_cast<std::size_t>(v.index)] = 1;
-            for (const int n : neighbours_[static_cast<std::size_t>(v.index)]) now[static_cast<std::size_t>(n)] = 1;
+            for (const int n : neighbours_[static_cast<std::size_t>(v.index)])
+              now[static_cast<std::size_t>(n)] = 1;
           }
       bool moved = false;
       for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -105,11 +108,11 @@ class Smoother {
 
 }  // namespace
 
-SmoothedSurface smooth_surface(const TriangleSoup& start, const Vec3& spacing, double volume,
-                               const ExtractOptions& options) {
-  Smoother smoother(start, spacing, options.bound_voxels);
-  for (int k = 0; k < options.smoothing_rounds; ++k) smoother.descend();
-  if (options.smoothing_rounds > 0) smoother.reach_volume(volume);
+SmoothedSurface smooth_surface(const TriangleSoup& start, const Vec3& spacing, double volume, int rounds,
+                               double bound) {
+  Smoother smoother(start, spacing, bound);
+  for (int k = 0; k < rounds; ++k) smoother.descend();
+  if (rounds > 0) smoother.reach_volume(volume);
   SmoothedSurface result;
   result.restrained = smoother.part();
   result.points = smoother.take();
