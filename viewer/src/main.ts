@@ -14,7 +14,7 @@ import { openDetailsInPrint } from './ui/print';
 
 function explorerOf(report: Report): Explorer | null {
   try {
-    return new Explorer(report, () => (document.documentElement.dataset.drawn = 'yes'));
+    return new Explorer(report, (sharp) => (document.documentElement.dataset.drawn = sharp ? 'sharp' : 'in-motion'));
   } catch (error) {
     console.warn(error);
     return null;

@@ -8,6 +8,9 @@ export class Legend {
   readonly root = element('div', { class: 'legend' });
 
   show(shown: Shown, state: State): void {
+    const told = JSON.stringify([shown.colouring, shown.scale, state.flips, shown.surfaces[0].flipped.length]);
+    if (this.root.dataset.told === told) return;
+    this.root.dataset.told = told;
     const flipped = state.flips ? shown.surfaces[0].flipped.length : 0;
     const parts = shown.scale ? scaleParts(shown.scale.label, shown.scale.end) : torusParts(shown);
     if (flipped > 0) {

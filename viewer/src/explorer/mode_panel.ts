@@ -69,8 +69,8 @@ export class ModePanel {
   private follow(state: State): void {
     state.scores.forEach((score, m) => {
       const { slider, number } = this.rows[m];
-      slider.value = String(score);
-      if (document.activeElement !== number || Number(number.value) !== score) number.value = score.toFixed(Number.isInteger(score * 10) ? 1 : 2);
+      if (Number(slider.value) !== score) slider.value = String(score);
+      if (Number(number.value) !== score) number.value = score.toFixed(Number.isInteger(score * 10) ? 1 : 2);
     });
   }
 

@@ -33,6 +33,7 @@ const percentile = (values: number[], share: number) =>
 /** Makes Shown of State; keeps what does not change. */
 export class Exhibitor {
   private readonly meanVectors: Float32Array;
+  private readonly strengths: Float32Array[];
   private readonly errorEnd: number;
   private readonly displacementEnd: number;
   private readonly shapeDisplacementEnd: number;
@@ -41,7 +42,8 @@ export class Exhibitor {
     const { model, shapes } = report;
     this.meanVectors = areaVectors(model.mean, model.triangles);
     this.errorEnd = roundedUp(Math.max(...shapes.map((s) => Math.max(...s.errors))));
-    this.displacementEnd = model.modes > 0 ? roundedUp(2 * Math.max(...model.strengthOf(0))) : 1;
+    this.strengths = Array.from({ length: model.modes }, (_, m) => model.strengthOf(m));
+    this.displacementEnd = model.modes > 0 ? roundedUp(2 * Math.max(...this.strengths[0])) : 1;
     this.shapeDisplacementEnd = roundedUp(
       percentile(shapes.flatMap((s) => [...landmarkDistances(model.shapeOf(s.scores), model.mean)]), 0.99));
   }
@@ -56,7 +58,7 @@ export class Exhibitor {
     const colouring = state.colouring.modes;
     const flipped = opposing(areaVectors(points, model.triangles), this.meanVectors);
     const moved = landmarkDistances(points, model.mean);
-    const values = colouring === 'strength' ? model.strengthOf(state.strengthMode) : moved;
+    const values = colouring === 'strength' ? this.strengths[state.strengthMode] : moved;
     const scale =
       colouring === 'strength'
         ? { label: `how far 1 sd of mode ${state.strengthMode + 1} moves a landmark, mm`, end: roundedUp(Math.max(...values)) }

@@ -2,15 +2,15 @@ import { Box3, BufferAttribute, PerspectiveCamera, Scene, Vector3, WebGLRenderer
 import { element } from '../ui/element';
 import type { Report } from '../model/report';
 import type { NamedView } from '../model/report_data';
+import { sheetOf } from '../model/sheet';
 import { firstHit } from '../model/surface';
-import { SurfaceMaterial } from './material';
 import { Orbit } from './orbit';
 import type { Shown } from './shown';
 import type { State, Store } from './state';
+import { sheetMaterials, type SheetMaterials } from './sheet_mesh';
 import { SurfaceMesh } from './surface_mesh';
 
 const fieldOfView = 26;
-const mostPixelRatio = 2;
 // A press that moves less is a click.
 const clickPixels = 4;
 
@@ -21,7 +21,7 @@ export class SpaceView {
   private readonly titles = [0, 1].map(() => element('p', { class: 'surface-title' }));
   private readonly marks = [0, 1].map(() => element('span', { class: 'mark', hidden: true }));
   private readonly renderer: WebGLRenderer;
-  private readonly material: SurfaceMaterial;
+  private readonly materials: SheetMaterials;
   private readonly meshes: SurfaceMesh[];
   private readonly scenes: Scene[];
   private readonly cameras = [0, 1].map(() => new PerspectiveCamera(fieldOfView));
@@ -31,10 +31,12 @@ export class SpaceView {
 
   /** Throws if the browser has no WebGL. */
   constructor(private readonly report: Report, private readonly store: Store, cells: [number, number], private readonly redraw: () => void) {
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setScissorTest(true);
-    this.material = new SurfaceMaterial('space', cells);
-    this.meshes = [0, 1].map(() => new SurfaceMesh(report, this.material));
+    this.materials = sheetMaterials('lit', cells);
+    const { torus, model } = report;
+    const sheet = sheetOf(model.triangles, torus.cornerTurns, torus.turns);
+    this.meshes = [0, 1].map(() => new SurfaceMesh(report, sheet, this.materials));
     this.scenes = this.meshes.map((mesh) => new Scene().add(mesh));
     this.orbit = new Orbit(this.canvas, ...ballOf(report.model.mean), report.data.views[0], redraw);
     this.root.append(this.canvas, ...this.titles, ...this.marks);
@@ -50,11 +52,11 @@ export class SpaceView {
   }
 
   show(shown: Shown, state: State): void {
-    this.material.show(shown.colouring, shown.scale?.end ?? 1, state.edges);
+    this.materials.surface.paint(shown.colouring, shown.scale?.end ?? 1, shown.surfaces.some((s) => s.flipped.length > 0));
     this.panes = shown.surfaces.length;
     this.root.dataset.panes = String(this.panes);
     shown.surfaces.forEach((surface, i) => {
-      this.meshes[i].show(surface, state.loops, state.flips);
+      this.meshes[i].show(surface, state);
       this.titles[i].textContent = surface.title;
     });
     this.canvas.setAttribute('aria-label', `${shown.surfaces.map((s) => s.title || 'The model').join(' beside ')}. ${shown.status}`);
@@ -69,8 +71,9 @@ export class SpaceView {
     this.renderer.getContext().finish();
   }
 
-  draw(): void {
+  draw(pixelRatio: number): void {
     const { width, height } = this.size();
+    this.renderer.setPixelRatio(pixelRatio);
     for (let i = 0; i < this.panes; ++i) {
       const left = (i * width) / this.panes;
       this.orbit.place(this.cameras[i], width / this.panes / height);
@@ -87,7 +90,6 @@ export class SpaceView {
 
   private resize(): void {
     const { width, height } = this.size();
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, mostPixelRatio));
     this.renderer.setSize(width, height, false);
     this.redraw();
   }

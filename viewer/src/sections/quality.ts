@@ -14,8 +14,9 @@ export function quality(data: ReportData): HTMLElement {
   const legend = names.length < 2 ? [] : [element('ul', { class: 'series', aria: { label: 'Curves' } },
     ...names.map((name, i) => element('li', { class: `series-${i}` }, name)))];
   const differences = data.differences.length === 0 ? [] : [
-    element('h3', {}, 'This model minus the baseline'), ...data.remarks.map((text) => paragraph(text)),
-    element('div', { class: 'tables' }, ...data.differences.map((t) => tableElement(t)))];
+    ...data.remarks.map((text) => paragraph(text)),
+    element('details', {}, element('summary', {}, 'This model minus the baseline'),
+      element('div', { class: 'tables wide' }, ...data.differences.map((t) => tableElement(t))))];
   return section('quality', 'How good it is',
     paragraph('Distances are measured to the original surfaces. Bars are standard errors of the mean. Specificity alone ' +
       'rewards a model that lost variation: read it beside the total variance and the representation error.', 'lead'),
@@ -41,6 +42,13 @@ function chartElement(chart: Chart): HTMLElement {
   return element('figure', { class: 'chart' }, element('figcaption', {}, chart.title), place);
 }
 
+const mostTicks = 13;
+
+function wholeTicks(most: number): number[] {
+  const step = Math.ceil(most / mostTicks);
+  return Array.from({ length: Math.floor(most / step) }, (_, i) => (i + 1) * step);
+}
+
 function plotOf(chart: Chart, width: number) {
   const series = chart.series.map(pointsOf);
   const all = series.flat();
@@ -49,7 +57,7 @@ function plotOf(chart: Chart, width: number) {
   return Plot.plot({
     width, height, marginLeft: 50, marginBottom: 42, marginTop: 26, marginRight: 14, style: { fontSize: '12px' }, insetLeft: 8, insetRight: 8,
     ariaLabel: `${chart.title}: ${chart.y_label} against ${chart.x_label}`,
-    x: { label: chart.x_label, labelAnchor: 'center', labelArrow: 'none', ticks: Math.min(most, 8), tickFormat: 'd', line: true },
+    x: { label: chart.x_label, labelAnchor: 'center', labelArrow: 'none', ticks: wholeTicks(most), tickFormat: 'd', line: true },
     y: { label: chart.y_label, labelAnchor: 'top', labelArrow: 'none', grid: true, ticks: 5, zero: low < high / 3, nice: true },
     marks: [
       ...series.flatMap((points, i) => {

@@ -1,9 +1,12 @@
 import * as Plot from '@observablehq/plot';
 import type { Report, Shape } from '../model/report';
 import { element, labelledControl } from '../ui/element';
+import { placeLabels } from '../ui/labels';
 import { onWidth, paragraph } from '../ui/section';
 
 const mostNamed = 60;
+const margin = 46;
+const letterPixels = 6.6;
 const rings = [1, 2, 3];
 const widest = 560;
 
@@ -43,15 +46,18 @@ function scatter(shapes: Shape[], across: number, upward: number, width: number)
   });
   const subjects = [...new Set(shapes.map((s) => s.subject ?? ''))];
   const colour = (s: Shape) => (subjects.length > 1 && subjects.length <= 8 ? `var(--subject-${subjects.indexOf(s.subject ?? '')})` : 'var(--series-0)');
+  const pixels = (width - 2 * margin) / (2 * reach);
+  const places = placeLabels(shapes.map((s) => ({ x: x(s) * pixels, y: -y(s) * pixels, width: s.name.length * letterPixels })));
+  const named = shapes.length > mostNamed ? [] : shapes.map((shape, i) => ({ shape, place: places[i] }));
   return Plot.plot({
-    width, height: width, margin: 46, style: { fontSize: '12px' }, ariaLabel: `Scores of the training shapes on modes ${across + 1} and ${upward + 1}`,
+    width, height: width, margin, style: { fontSize: '12px' }, ariaLabel: `Scores of the training shapes on modes ${across + 1} and ${upward + 1}`,
     x: { domain: [-reach, reach], label: `mode ${across + 1}, sd`, labelAnchor: 'center', labelArrow: 'none', ticks: 7 },
     y: { domain: [-reach, reach], label: `mode ${upward + 1}, sd`, labelAnchor: 'center', labelArrow: 'none', ticks: 7 },
     marks: [
       Plot.ruleX([0], { stroke: 'var(--line)' }), Plot.ruleY([0], { stroke: 'var(--line)' }),
       ...rings.map((radius) => Plot.line(circle(radius), { x: 'x', y: 'y', stroke: 'var(--line)', strokeWidth: 1 })),
       Plot.dot(shapes, { x, y, fill: colour, r: 4.5 }),
-      ...(shapes.length > mostNamed ? [] : [Plot.text(shapes, { x, y, text: 'name', dy: -10, fill: 'currentColor', stroke: 'var(--page)', strokeWidth: 3 })]),
+      ...named.map(({ shape, place }) => Plot.text([shape], { x, y, text: 'name', ...place, fill: 'currentColor', stroke: 'var(--page)', strokeWidth: 3 })),
       Plot.tip(shapes, Plot.pointer({ x, y, title: (s: Shape) => `${s.name}\n${x(s).toFixed(2)}, ${y(s).toFixed(2)} sd` })),
     ],
   });
