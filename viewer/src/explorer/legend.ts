@@ -16,7 +16,9 @@ export class Legend {
     if (flipped > 0) {
       const swatch = element('i', { class: 'swatch' });
       swatch.style.background = flipColour;
-      parts.push(element('p', { class: 'legend-note' }, swatch, `${flipped} flipped triangle${flipped === 1 ? '' : 's'}`));
+      parts.push(
+        element('p', { class: 'legend-note' }, swatch, `${flipped} flipped triangle${flipped === 1 ? '' : 's'}`),
+      );
     }
     this.root.replaceChildren(...parts);
   }
@@ -27,7 +29,9 @@ function scaleParts(label: string, end: number): HTMLElement[] {
   bar.style.background = `linear-gradient(to right, ${ramp.join(', ')})`;
   const steps = evenSteps(end);
   const digits = Math.max(0, 1 - Math.floor(Math.log10(end / steps)));
-  const ticks = Array.from({ length: steps + 1 }, (_, i) => element('span', {}, String(Number(((i * end) / steps).toFixed(digits)))));
+  const ticks = Array.from({ length: steps + 1 }, (_, i) =>
+    element('span', {}, String(Number(((i * end) / steps).toFixed(digits)))),
+  );
   return [element('p', { class: 'legend-label' }, label), bar, element('div', { class: 'legend-ticks' }, ...ticks)];
 }
 

@@ -53,7 +53,10 @@ vec3 torusColour(vec2 turns) {
 vec3 rampColour(float share) {
   float at = clamp(share, 0.0, 1.0) * ${ramp.length - 1}.0;
   vec3 c = ramp[0];
-${ramp.slice(1).map((_, i) => `  c = mix(c, ramp[${i + 1}], clamp(at - ${i}.0, 0.0, 1.0));`).join('\n')}
+${ramp
+  .slice(1)
+  .map((_, i) => `  c = mix(c, ramp[${i + 1}], clamp(at - ${i}.0, 0.0, 1.0));`)
+  .join('\n')}
   return c;
 }
 
@@ -100,7 +103,16 @@ const vectorOf = (colour: string) => new Vector3(...channels(colour));
 export type Painting = Colouring | 'flips';
 
 // Of COLOURS in the shader.
-const kinds: Record<Painting, number> = { plain: 0, displacement: 1, strength: 1, error: 1, fit: 1, torus: 2, checkerboard: 3, flips: 4 };
+const kinds: Record<Painting, number> = {
+  plain: 0,
+  displacement: 1,
+  strength: 1,
+  error: 1,
+  fit: 1,
+  torus: 2,
+  checkerboard: 3,
+  flips: 4,
+};
 
 /** The material of all surfaces: lit in space, flat on the torus. */
 export class SurfaceMaterial extends ShaderMaterial {

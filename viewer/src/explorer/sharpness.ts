@@ -1,8 +1,10 @@
 // Pixels drawn per pixel of the page and side: more than one smooths edges. Slow machines draw fewer while things move.
 const levels = [0.7, 1, 1.4, 2];
 const best = levels.length - 1;
-const slowFrame = 30, fastFrame = 20;  // milliseconds
-const slowFramesToTell = 3, fastFramesToTell = 30;
+const slowFrame = 30,
+  fastFrame = 20; // milliseconds
+const slowFramesToTell = 3,
+  fastFramesToTell = 30;
 /** A picture that has not changed for so long is drawn again, at its sharpest [ms]. */
 export const stillAfter = 200;
 
@@ -21,7 +23,7 @@ export class Sharpness {
   inMotion(now: number): number {
     const taken = now - this.last;
     this.last = now;
-    if (taken < stillAfter) this.judge(taken);  // a pause says nothing about the speed
+    if (taken < stillAfter) this.judge(taken); // a pause says nothing about the speed
     return levels[this.level];
   }
 

@@ -1,4 +1,14 @@
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh, Sphere, Vector3 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  Sphere,
+  Vector3,
+} from 'three';
 import { spread, type Sheet } from '../model/sheet';
 import { SurfaceMaterial } from './material';
 
@@ -10,7 +20,7 @@ export interface SheetMaterials {
 }
 
 export function sheetMaterials(light: 'lit' | 'flat', cells: [number, number]): SheetMaterials {
-  const marks = new SurfaceMaterial('flat', cells).behind(1);  // seen from both sides, so that light on it tells nothing
+  const marks = new SurfaceMaterial('flat', cells).behind(1); // seen from both sides, so that light on it tells nothing
   marks.paint('flips', 1, true);
   return {
     surface: new SurfaceMaterial(light, cells).behind(2),
@@ -26,7 +36,12 @@ export class SheetMesh extends Group {
   private readonly edges: LineSegments;
 
   /** `normals` are needed where the material is lit. */
-  constructor(private readonly sheet: Sheet, materials: SheetMaterials, places: BufferAttribute, normals: BufferAttribute | null) {
+  constructor(
+    private readonly sheet: Sheet,
+    materials: SheetMaterials,
+    places: BufferAttribute,
+    normals: BufferAttribute | null,
+  ) {
     super();
     this.value = new BufferAttribute(new Float32Array(sheet.landmarks.length), 1).setUsage(DynamicDrawUsage);
     const geometryOf = (index: Uint32Array) => {

@@ -17,7 +17,11 @@ const clickPixels = 4;
 /** The surfaces in space: one, or two beside each other seen from the same side. */
 export class SpaceView {
   readonly root = element('div', { class: 'space' });
-  private readonly canvas = element('canvas', { tabIndex: 0, role: 'img', aria: { label: 'The model in three dimensions' } });
+  private readonly canvas = element('canvas', {
+    tabIndex: 0,
+    role: 'img',
+    aria: { label: 'The model in three dimensions' },
+  });
   private readonly titles = [0, 1].map(() => element('p', { class: 'surface-title' }));
   private readonly marks = [0, 1].map(() => element('span', { class: 'mark', hidden: true }));
   private readonly renderer: WebGLRenderer;
@@ -30,7 +34,12 @@ export class SpaceView {
   private marked: number | null = null;
 
   /** Throws if the browser has no WebGL. */
-  constructor(private readonly report: Report, private readonly store: Store, cells: [number, number], private readonly redraw: () => void) {
+  constructor(
+    private readonly report: Report,
+    private readonly store: Store,
+    cells: [number, number],
+    private readonly redraw: () => void,
+  ) {
     this.renderer = new WebGLRenderer({ canvas: this.canvas, alpha: true, preserveDrawingBuffer: true });
     this.renderer.setScissorTest(true);
     this.materials = sheetMaterials('lit', cells);
@@ -52,23 +61,25 @@ export class SpaceView {
   }
 
   show(shown: Shown, state: State): void {
-    this.materials.surface.paint(shown.colouring, shown.scale?.end ?? 1, shown.surfaces.some((s) => s.flipped.length > 0));
+    this.materials.surface.paint(
+      shown.colouring,
+      shown.scale?.end ?? 1,
+      shown.surfaces.some((s) => s.flipped.length > 0),
+    );
     this.panes = shown.surfaces.length;
     this.root.dataset.panes = String(this.panes);
     shown.surfaces.forEach((surface, i) => {
       this.meshes[i].show(surface, state);
       this.titles[i].textContent = surface.title;
     });
-    this.canvas.setAttribute('aria-label', `${shown.surfaces.map((s) => s.title || 'The model').join(' beside ')}. ${shown.status}`);
+    this.canvas.setAttribute(
+      'aria-label',
+      `${shown.surfaces.map((s) => s.title || 'The model').join(' beside ')}. ${shown.status}`,
+    );
   }
 
   mark(landmark: number | null): void {
     this.marked = landmark;
-  }
-
-  /** The pixels of the last frame are asked for, so that the frame is finished when this returns. */
-  finish(): void {
-    this.renderer.getContext().finish();
   }
 
   draw(pixelRatio: number): void {
@@ -97,9 +108,11 @@ export class SpaceView {
   private placeMark(mark: HTMLElement, pane: number): void {
     mark.hidden = this.marked === null || pane >= this.panes;
     if (this.marked === null || mark.hidden) return;
-    const points = this.meshes[pane].points, camera = this.cameras[pane];
+    const points = this.meshes[pane].points,
+      camera = this.cameras[pane];
     const place = new Vector3().fromArray(points, 3 * this.marked);
-    const eye = camera.position, sight = place.clone().sub(eye);
+    const eye = camera.position,
+      sight = place.clone().sub(eye);
     const hit = firstHit(points, this.report.model.triangles, eye.toArray(), sight.toArray());
     mark.classList.toggle('behind', hit !== null && hit.at < 0.995);
     const seen = place.project(camera);
@@ -113,9 +126,14 @@ export class SpaceView {
     const across = ((e.clientX - box.left) / box.width) * this.panes;
     const pane = Math.min(this.panes - 1, Math.max(0, Math.floor(across)));
     const camera = this.cameras[pane];
-    const there = new Vector3(2 * (across - pane) - 1, 1 - (2 * (e.clientY - box.top)) / box.height, 0.5).unproject(camera);
+    const there = new Vector3(2 * (across - pane) - 1, 1 - (2 * (e.clientY - box.top)) / box.height, 0.5).unproject(
+      camera,
+    );
     const direction = there.sub(camera.position);
-    return firstHit(this.meshes[pane].points, this.report.model.triangles, camera.position.toArray(), direction.toArray())?.landmark ?? null;
+    return (
+      firstHit(this.meshes[pane].points, this.report.model.triangles, camera.position.toArray(), direction.toArray())
+        ?.landmark ?? null
+    );
   }
 
   private hover(e: PointerEvent): void {
@@ -138,6 +156,7 @@ function ballOf(points: Float32Array): [Vector3, number] {
   const all = new BufferAttribute(points, 3);
   const middle = new Box3().setFromBufferAttribute(all).getCenter(new Vector3());
   let radius = 0;
-  for (let i = 0; i < all.count; ++i) radius = Math.max(radius, middle.distanceTo(new Vector3().fromBufferAttribute(all, i)));
+  for (let i = 0; i < all.count; ++i)
+    radius = Math.max(radius, middle.distanceTo(new Vector3().fromBufferAttribute(all, i)));
   return [middle, radius];
 }

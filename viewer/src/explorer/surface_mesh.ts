@@ -22,15 +22,23 @@ export class SurfaceMesh extends Group {
   private readonly mesh: SheetMesh;
   private readonly curves: Line2[];
 
-  constructor(private readonly report: Report, private readonly sheet: Sheet, materials: SheetMaterials) {
+  constructor(
+    private readonly report: Report,
+    private readonly sheet: Sheet,
+    materials: SheetMaterials,
+  ) {
     super();
-    const moving = () => new BufferAttribute(new Float32Array(3 * sheet.landmarks.length), 3).setUsage(DynamicDrawUsage);
+    const moving = () =>
+      new BufferAttribute(new Float32Array(3 * sheet.landmarks.length), 3).setUsage(DynamicDrawUsage);
     this.places = moving();
     this.normals = moving();
     this.mesh = new SheetMesh(sheet, materials, this.places, this.normals);
     this.points = report.model.mean;
     this.curves = report.loops.map((_, i) => {
-      const curve = new Line2(new LineGeometry(), new LineMaterial({ color: loopColours[i % 2], linewidth: loopPixels }));
+      const curve = new Line2(
+        new LineGeometry(),
+        new LineMaterial({ color: loopColours[i % 2], linewidth: loopPixels }),
+      );
       curve.frustumCulled = false;
       return curve;
     });

@@ -16,7 +16,10 @@ const margin = 0.015;
 /** The flat torus: the surface of the model spread out, in the same colours. */
 export class TorusView {
   readonly root = element('div', { class: 'torus' });
-  private readonly canvas = element('canvas', { role: 'img', aria: { label: 'The surface laid out on the flat torus, coloured alike' } });
+  private readonly canvas = element('canvas', {
+    role: 'img',
+    aria: { label: 'The surface laid out on the flat torus, coloured alike' },
+  });
   private readonly renderer: WebGLRenderer;
   private readonly materials: SheetMaterials;
   private readonly mesh: SheetMesh;
@@ -32,12 +35,22 @@ export class TorusView {
   private readonly mark = svg('circle', { class: 'torus-mark', r: 0.014 });
   private readonly box: { x: number; y: number; width: number; height: number };
 
-  constructor(private readonly report: Report, private readonly store: Store, cells: [number, number], private readonly redraw: () => void) {
+  constructor(
+    private readonly report: Report,
+    private readonly store: Store,
+    cells: [number, number],
+    private readonly redraw: () => void,
+  ) {
     const { torus, model } = report;
     this.layout = new TorusLayout(torus);
     const { low, high } = this.layout;
     const edge = margin * Math.max(high[0] - low[0], high[1] - low[1]);
-    this.box = { x: low[0] - edge, y: low[1] - edge, width: high[0] - low[0] + 2 * edge, height: high[1] - low[1] + 2 * edge };
+    this.box = {
+      x: low[0] - edge,
+      y: low[1] - edge,
+      width: high[0] - low[0] + 2 * edge,
+      height: high[1] - low[1] + 2 * edge,
+    };
 
     const copies = copiesOverDomain(torus.cornerTurns);
     const cornerLandmarks = new Uint32Array(3 * copies.triangles.length);
@@ -47,7 +60,8 @@ export class TorusView {
     });
     const sheet = sheetOf(cornerLandmarks, copies.turns, torus.turns);
     const places = new Float32Array(3 * sheet.landmarks.length);
-    for (let i = 0; i < sheet.landmarks.length; ++i) places.set(this.layout.place(sheet.turns[2 * i], sheet.turns[2 * i + 1]), 3 * i);
+    for (let i = 0; i < sheet.landmarks.length; ++i)
+      places.set(this.layout.place(sheet.turns[2 * i], sheet.turns[2 * i + 1]), 3 * i);
     this.materials = sheetMaterials('flat', cells);
     this.mesh = new SheetMesh(sheet, this.materials, new BufferAttribute(places, 3), null);
     this.scene.add(this.mesh);
@@ -56,11 +70,23 @@ export class TorusView {
     const { x, y, width, height } = this.box;
     this.camera = new OrthographicCamera(x, x + width, y + height, y, -1, 1);
 
-    this.loops = svg('g', { 'clip-path': 'url(#torus-domain)' }, ...report.loops.map((loop, i) => this.loopPath(loop, loopColours[i % 2])));
+    this.loops = svg(
+      'g',
+      { 'clip-path': 'url(#torus-domain)' },
+      ...report.loops.map((loop, i) => this.loopPath(loop, loopColours[i % 2])),
+    );
     const outline = this.layout.corners.map((p) => this.inPicture(p).join(',')).join(' ');
-    this.root.append(this.canvas, svg('svg', { viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' },
-      svg('clipPath', { id: 'torus-domain' }, svg('polygon', { points: outline })),
-      svg('polygon', { points: outline, class: 'torus-outline' }), this.loops, this.mark));
+    this.root.append(
+      this.canvas,
+      svg(
+        'svg',
+        { viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' },
+        svg('clipPath', { id: 'torus-domain' }, svg('polygon', { points: outline })),
+        svg('polygon', { points: outline, class: 'torus-outline' }),
+        this.loops,
+        this.mark,
+      ),
+    );
     const percent = (p: [number, number]) => `${(100 * p[0]) / width}% ${(100 * p[1]) / height}%`;
     this.canvas.style.clipPath = `polygon(${this.layout.corners.map((p) => percent(this.inPicture(p))).join(',')})`;
     this.root.style.aspectRatio = `${width} / ${height}`;
@@ -71,7 +97,14 @@ export class TorusView {
   show(shown: Shown, state: State): void {
     this.loops.setAttribute('visibility', state.loops ? 'visible' : 'hidden');
     const { values, flipped } = shown.surfaces[0];
-    const content = [shown.colouring, shown.scale?.end, values, state.flips, flipped.length === 0 ? 'none' : flipped, state.edges];
+    const content = [
+      shown.colouring,
+      shown.scale?.end,
+      values,
+      state.flips,
+      flipped.length === 0 ? 'none' : flipped,
+      state.edges,
+    ];
     if (content.every((part, i) => part === this.content[i])) return;
     this.content = content;
     this.drawnAt = 0;
@@ -124,7 +157,16 @@ export class TorusView {
     const path: string[] = [];
     for (const du of [-2, -1, 0, 1, 2])
       for (const dv of [-2, -1, 0, 1, 2])
-        path.push('M' + walk.map(([u, v]) => this.inPicture(this.layout.place(u + du, v + dv)).map((x) => x.toFixed(4)).join(' ')).join('L'));
+        path.push(
+          'M' +
+            walk
+              .map(([u, v]) =>
+                this.inPicture(this.layout.place(u + du, v + dv))
+                  .map((x) => x.toFixed(4))
+                  .join(' '),
+              )
+              .join('L'),
+        );
     return svg('path', { d: path.join(''), stroke: colour, class: 'torus-loop' });
   }
 

@@ -10,7 +10,9 @@ export interface Sheet {
 
 /** Corners of one landmark at one place become one vertex. `turnsOf` are the landmarks' own. */
 export function sheetOf(cornerLandmarks: Uint32Array, cornerTurns: Float32Array, turnsOf: Float32Array): Sheet {
-  const vertices = new Map<string, number>(), landmarks: number[] = [], turns: number[] = [];
+  const vertices = new Map<string, number>(),
+    landmarks: number[] = [],
+    turns: number[] = [];
   const corners = new Uint32Array(cornerLandmarks.length);
   cornerLandmarks.forEach((landmark, i) => {
     const whole = [0, 1].map((c) => Math.round(cornerTurns[2 * i + c] - turnsOf[2 * landmark + c]));

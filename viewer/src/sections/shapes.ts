@@ -8,7 +8,11 @@ import { scoresPlot } from './scores_plot';
 export function shapes(report: Report, showShape: (shape: number) => void): HTMLElement {
   const link = (name: string) => {
     const shape = report.shapes.findIndex((s) => s.name === name);
-    return element('button', { type: 'button', class: 'link', title: 'Show this shape', onclick: () => showShape(shape) }, name);
+    return element(
+      'button',
+      { type: 'button', class: 'link', title: 'Show this shape', onclick: () => showShape(shape) },
+      name,
+    );
   };
   const scores = tableElement({
     title: 'Scores, in standard deviations',
@@ -16,6 +20,10 @@ export function shapes(report: Report, showShape: (shape: number) => void): HTML
     header: ['shape', ...report.model.varianceShares.map((_, m) => `mode ${m + 1}`)],
     rows: report.shapes.map((s) => [s.name, ...s.scores.map((score) => score.toFixed(2).replace('-', '−'))]),
   });
-  return section('shapes', 'The training shapes', element('div', { class: 'side-by-side' }, scoresPlot(report, showShape), scores),
-    tableElement(report.data.shapes_table, link));
+  return section(
+    'shapes',
+    'The training shapes',
+    element('div', { class: 'side-by-side' }, scoresPlot(report, showShape), scores),
+    tableElement(report.data.shapes_table, link),
+  );
 }

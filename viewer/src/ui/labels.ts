@@ -43,7 +43,12 @@ export function placeLabels(points: LabelledPoint[]): LabelPlace[] {
 
 function boxOf(point: LabelledPoint, place: LabelPlace): Box {
   const shift = { start: 0, middle: -point.width / 2, end: -point.width }[place.textAnchor];
-  return { x: point.x + place.dx + shift, y: point.y + place.dy - lineHeight / 2, width: point.width, height: lineHeight };
+  return {
+    x: point.x + place.dx + shift,
+    y: point.y + place.dy - lineHeight / 2,
+    width: point.width,
+    height: lineHeight,
+  };
 }
 
 function meets(a: Box, b: Box): boolean {

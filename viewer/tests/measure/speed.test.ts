@@ -22,7 +22,9 @@ it('opens in less than 3 s', async () => {
     seconds.push((performance.now() - begun) / 1000);
     await close();
   }
-  console.log(`${(statSync(report).size / 1e6).toFixed(1)} MB; seconds until drawn: ${seconds.map((s) => s.toFixed(2)).join(', ')}`);
+  console.log(
+    `${(statSync(report).size / 1e6).toFixed(1)} MB; seconds until drawn: ${seconds.map((s) => s.toFixed(2)).join(', ')}`,
+  );
   expect(Math.max(...seconds)).toBeLessThan(3);
 }, 60_000);
 

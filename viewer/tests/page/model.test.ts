@@ -20,7 +20,10 @@ afterAll(async () => {
 
 async function saved(): Promise<Buffer> {
   await settle(page);
-  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Save this shape as PLY' }).click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', { name: 'Save this shape as PLY' }).click(),
+  ]);
   return readFileSync(await download.path());
 }
 
@@ -36,16 +39,23 @@ it('moves the landmarks to where `foramen modes` puts them, for every mode', asy
   const modes = readdirSync(folder).length / 2;
   expect(await page.getByRole('slider', { name: /^Score of mode \d+,/ }).count()).toBe(modes);
   for (let mode = 1; mode <= modes; ++mode)
-    for (const [sign, score] of [['minus', -2], ['plus', 2]] as const) {
+    for (const [sign, score] of [
+      ['minus', -2],
+      ['plus', 2],
+    ] as const) {
       await setSlider(mode, score);
-      expect(largestDifference(pointsOfPly(await saved()), pointsOfPly(modeFile(folder, mode, sign)))).toBeLessThan(1e-4);
+      expect(largestDifference(pointsOfPly(await saved()), pointsOfPly(modeFile(folder, mode, sign)))).toBeLessThan(
+        1e-4,
+      );
       await setSlider(mode, 0);
     }
 });
 
 it('adds up the sliders of all modes', async () => {
   const folder = join(work, 'modes');
-  const [mean, first, second] = [join(model, 'mean.ply'), modeFile(folder, 1, 'plus'), modeFile(folder, 2, 'plus')].map(pointsOfPly);
+  const [mean, first, second] = [join(model, 'mean.ply'), modeFile(folder, 1, 'plus'), modeFile(folder, 2, 'plus')].map(
+    pointsOfPly,
+  );
   await setSlider(1, 1);
   await setSlider(2, -3);
   const expected = mean.map((x, i) => x + 0.5 * (first[i] - x) - 1.5 * (second[i] - x));
@@ -56,7 +66,8 @@ it('adds up the sliders of all modes', async () => {
 
 it('saves the triangles that the program writes', async () => {
   await page.getByRole('button', { name: 'Reset to the mean' }).click();
-  const ours = await saved(), theirs = readFileSync(join(model, 'mean.ply'));
+  const ours = await saved(),
+    theirs = readFileSync(join(model, 'mean.ply'));
   const facesOf = (bytes: Buffer) => {
     const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
     return bytes.subarray(end + 4 * pointsOfPly(bytes).length).toString('hex');
@@ -69,7 +80,8 @@ it('saves the triangles that the program writes', async () => {
 function distances(points: Float32Array): number[] {
   const count = points.length / 3;
   return Array.from({ length: 500 }, (_, i) => {
-    const a = 3 * ((i * 7919) % count), b = 3 * ((i * 104729 + 13) % count);
+    const a = 3 * ((i * 7919) % count),
+      b = 3 * ((i * 104729 + 13) % count);
     return Math.hypot(points[a] - points[b], points[a + 1] - points[b + 1], points[a + 2] - points[b + 2]);
   });
 }
@@ -78,7 +90,8 @@ it('shows each training shape as it is', async () => {
   await page.getByRole('tab', { name: 'Training shapes' }).click();
   for (const file of readdirSync(join(model, 'corresponding'))) {
     await page.getByLabel('Training shape', { exact: true }).selectOption({ label: file.replace('.ply', '') });
-    const shown = distances(pointsOfPly(await saved())), true_ = distances(pointsOfPly(join(model, 'corresponding', file)));
+    const shown = distances(pointsOfPly(await saved())),
+      true_ = distances(pointsOfPly(join(model, 'corresponding', file)));
     expect(Math.max(...shown.map((d, i) => Math.abs(d - true_[i])))).toBeLessThan(1e-3);
   }
 });
@@ -93,7 +106,16 @@ it('says how far the fit is off, down to nothing with all modes', async () => {
 
 it('names what was left out and why, the baseline, the inputs and the papers', async () => {
   const text = (await page.locator('main').textContent())!;
-  for (const part of ['broken', 'ply', 'baseline: closest', 'this model', 'synth001.ply', 'Becker', 'Davies', 'not for diagnosis'])
+  for (const part of [
+    'broken',
+    'ply',
+    'baseline: closest',
+    'this model',
+    'synth001.ply',
+    'Becker',
+    'Davies',
+    'not for diagnosis',
+  ])
     expect(text).toContain(part);
 });
 

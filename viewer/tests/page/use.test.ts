@@ -53,7 +53,8 @@ describe('by keyboard', () => {
       expect(await page.getByRole('tabpanel').getAttribute('id')).toBe('page-shapes');
 
       await page.locator('.space canvas').focus();
-      for (const key of ['ArrowLeft', 'ArrowUp', '+', '-']) expect(await changes(page, () => page.keyboard.press(key))).toBe(true);
+      for (const key of ['ArrowLeft', 'ArrowUp', '+', '-'])
+        expect(await changes(page, () => page.keyboard.press(key))).toBe(true);
       await page.getByRole('spinbutton', { name: 'Landmark' }).fill('17');
       await settle(page);
       expect(await page.locator('.torus-mark').getAttribute('visibility')).toBe('visible');
@@ -63,8 +64,11 @@ describe('by keyboard', () => {
     withPage(screens.wide, async (page) => {
       const nameless = await page.evaluate(() =>
         [...document.querySelectorAll<HTMLElement>('button, input, select, canvas, summary, a, [role=region]')]
-          .filter((e) => !(e.getAttribute('aria-label') || (e as HTMLInputElement).labels?.length || e.textContent?.trim()))
-          .map((e) => e.outerHTML));
+          .filter(
+            (e) => !(e.getAttribute('aria-label') || (e as HTMLInputElement).labels?.length || e.textContent?.trim()),
+          )
+          .map((e) => e.outerHTML),
+      );
       expect(nameless).toEqual([]);
       await page.keyboard.press('Tab');
       const outline = await page.evaluate(() => getComputedStyle(document.activeElement!).outlineStyle);
@@ -75,7 +79,8 @@ describe('by keyboard', () => {
 describe('by pointer', () => {
   it('the same landmark is marked on the surface and on the torus', () =>
     withPage(screens.wide, async (page) => {
-      const stage = (await page.locator('.space').boundingBox())!, torus = (await page.locator('.torus').boundingBox())!;
+      const stage = (await page.locator('.space').boundingBox())!,
+        torus = (await page.locator('.torus').boundingBox())!;
       await page.getByRole('button', { name: 'Back' }).click();
       await page.waitForTimeout(600);
       const landmark = page.getByRole('spinbutton', { name: 'Landmark' });
@@ -112,19 +117,22 @@ describe('by pointer', () => {
       await page.mouse.move(...middle);
       expect(await changes(page, () => page.mouse.wheel(0, 60))).toBe(false);
       await page.evaluate(() => scrollTo(0, 0));
-      expect(await changes(page, async () => {
-        await page.mouse.move(...middle);
-        await page.mouse.down();
-        await page.mouse.move(middle[0] + 80, middle[1] + 20, { steps: 4 });
-        await page.mouse.up();
-      })).toBe(true);
+      expect(
+        await changes(page, async () => {
+          await page.mouse.move(...middle);
+          await page.mouse.down();
+          await page.mouse.move(middle[0] + 80, middle[1] + 20, { steps: 4 });
+          await page.mouse.up();
+        }),
+      ).toBe(true);
       expect(await changes(page, () => page.mouse.wheel(0, -300))).toBe(true);
       expect(await page.evaluate(() => scrollY)).toBe(0);
     }));
 
   it('a mode plays until it is stopped', () =>
     withPage(screens.wide, async (page) => {
-      const play = page.getByRole('button', { name: 'Play mode 2' }), slider = page.getByRole('slider', { name: 'Score of mode 2,' });
+      const play = page.getByRole('button', { name: 'Play mode 2' }),
+        slider = page.getByRole('slider', { name: 'Score of mode 2,' });
       await play.click();
       await expect.poll(() => slider.inputValue()).not.toBe('0');
       await play.click();
@@ -138,7 +146,8 @@ describe('by pointer', () => {
       const colours = page.getByLabel('Colours', { exact: true });
       for (const kind of ['displacement', 'torus', 'checkerboard', 'plain'])
         expect(await changes(page, () => colours.selectOption(kind)), kind).toBe(true);
-      for (const name of ['Loops', 'Triangles']) expect(await changes(page, () => page.getByLabel(name, { exact: true }).check()), name).toBe(true);
+      for (const name of ['Loops', 'Triangles'])
+        expect(await changes(page, () => page.getByLabel(name, { exact: true }).check()), name).toBe(true);
     }));
 });
 
@@ -148,21 +157,27 @@ const contrastInPage = () => {
   document.body.append(probe);
   const luminance = (name: string) => {
     probe.style.color = `var(${name})`;
-    const channels = getComputedStyle(probe).color.match(/[\d.]+/g)!.slice(0, 3).map((c) => Number(c) / 255);
+    const channels = getComputedStyle(probe)
+      .color.match(/[\d.]+/g)!
+      .slice(0, 3)
+      .map((c) => Number(c) / 255);
     const [r, g, b] = channels.map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
   };
   const page = luminance('--page');
-  return Object.fromEntries(['--ink', '--muted', '--accent', '--series-1', '--warn'].map((name) => {
-    const [low, high] = [page, luminance(name)].sort((a, b) => a - b);
-    return [name, (high + 0.05) / (low + 0.05)];
-  }));
+  return Object.fromEntries(
+    ['--ink', '--muted', '--accent', '--series-1', '--warn'].map((name) => {
+      const [low, high] = [page, luminance(name)].sort((a, b) => a - b);
+      return [name, (high + 0.05) / (low + 0.05)];
+    }),
+  );
 };
 
 describe.each(['wide', 'phone'] as const)('on a %s screen', (screen) => {
   it.each(['light', 'dark'] as const)('in a %s scheme all is readable and nothing overflows', (colorScheme) =>
     withPage({ ...screens[screen], colorScheme }, async (page) => {
-      for (const [name, contrast] of Object.entries(await page.evaluate(contrastInPage))) expect(contrast, name).toBeGreaterThan(4.5);
+      for (const [name, contrast] of Object.entries(await page.evaluate(contrastInPage)))
+        expect(contrast, name).toBeGreaterThan(4.5);
       const width = screens[screen].viewport.width;
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
       const name = `${screen}_${colorScheme}`;
@@ -179,7 +194,8 @@ describe.each(['wide', 'phone'] as const)('on a %s screen', (screen) => {
         await settle(page);
         await picture(page, `${name}_${part}`);
       }
-    }));
+    }),
+  );
 });
 
 it('prints what is folded away, and no controls', () =>

@@ -8,7 +8,10 @@ const software = ['--no-sandbox', '--enable-unsafe-swiftshader'];
 const noGraphics = ['--no-sandbox', '--disable-gpu', '--disable-software-rasterizer', '--disable-3d-apis'];
 
 export function launch(graphics = true): Promise<Browser> {
-  return chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: graphics ? software : noGraphics });
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: graphics ? software : noGraphics,
+  });
 }
 
 export interface OpenPage {
@@ -23,18 +26,24 @@ export const screens = {
   phone: { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true },
 } satisfies Record<string, BrowserContextOptions>;
 
-export async function open(browser: Browser, file: string, options: BrowserContextOptions = screens.wide): Promise<OpenPage> {
+export async function open(
+  browser: Browser,
+  file: string,
+  options: BrowserContextOptions = screens.wide,
+): Promise<OpenPage> {
   const context = await browser.newContext({ acceptDownloads: true, ...options });
   const page = await context.newPage();
   const complaints: string[] = [];
   const address = pathToFileURL(file).href;
   page.on('console', (message) => {
     // What the software renderer says of reading back is no fault of the page.
-    if (['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall due to ReadPixels')) complaints.push(message.text());
+    if (['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall due to ReadPixels'))
+      complaints.push(message.text());
   });
   page.on('pageerror', (error) => complaints.push(error.message));
   page.on('request', (request) => {
-    if (request.url().split('#')[0] !== address && !/^(data|blob):/.test(request.url())) complaints.push(`request for ${request.url()}`);
+    if (request.url().split('#')[0] !== address && !/^(data|blob):/.test(request.url()))
+      complaints.push(`request for ${request.url()}`);
   });
   await page.goto(address);
   return { page, complaints, close: () => context.close() };

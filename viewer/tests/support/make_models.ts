@@ -7,7 +7,9 @@ import { foramen, models } from './foramen';
 export default async function makeModels(): Promise<() => void> {
   const work = mkdtempSync(join(tmpdir(), 'foramen_page_'));
   process.env.FORAMEN_MODELS = work;
-  const { model, baseline } = models(), synth = join(work, 'synth'), inputs = join(synth, 'shapes');
+  const { model, baseline } = models(),
+    synth = join(work, 'synth'),
+    inputs = join(synth, 'shapes');
   await foramen('synth', '-n', '4', '--seed', '7', '--vertices', '2500', '-o', synth);
   writeFileSync(join(inputs, 'broken.ply'), 'no mesh');
   const common = ['--samples', '5', '--quiet', '--subject-regex', '[0-9]+'];

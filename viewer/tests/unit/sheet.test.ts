@@ -14,8 +14,15 @@ it('a sheet has the corners of the triangles at their places', () => {
 });
 
 it('no vertex of a sheet stands twice', () => {
-  const places = new Set(Array.from(sheet.landmarks, (landmark, i) =>
-    [landmark, Math.round(sheet.turns[2 * i] - torus.turns[2 * landmark]), Math.round(sheet.turns[2 * i + 1] - torus.turns[2 * landmark + 1])].join()));
+  const places = new Set(
+    Array.from(sheet.landmarks, (landmark, i) =>
+      [
+        landmark,
+        Math.round(sheet.turns[2 * i] - torus.turns[2 * landmark]),
+        Math.round(sheet.turns[2 * i + 1] - torus.turns[2 * landmark + 1]),
+      ].join(),
+    ),
+  );
   expect(places.size).toBe(sheet.landmarks.length);
   expect(sheet.landmarks.length).toBeLessThan(2 * model.landmarks);
 });

@@ -11,7 +11,11 @@ const state = () => initialState(report);
 
 describe('Exhibitor', () => {
   it('shows the shape of the sliders, coloured by how far it is from the mean', () => {
-    const shown = exhibitor.shown({ ...state(), scores: [1, 0], colouring: { ...state().colouring, modes: 'displacement' } });
+    const shown = exhibitor.shown({
+      ...state(),
+      scores: [1, 0],
+      colouring: { ...state().colouring, modes: 'displacement' },
+    });
     expect(shown.surfaces).toHaveLength(1);
     expect(shown.surfaces[0].points).toEqual(report.model.shapeOf([1, 0]));
     expect(Math.max(...shown.surfaces[0].values!)).toBeCloseTo(2.8, 4);
@@ -24,7 +28,14 @@ describe('Exhibitor', () => {
     expect(mirrored.status).toContain('no possible shape');
   });
   it('shows a training shape beside a fit that reaches it with all modes', () => {
-    const of = (fitModes: number) => exhibitor.shown({ ...state(), tab: 'shapes', shape: 0, fitModes, colouring: { ...state().colouring, shapes: 'fit' } });
+    const of = (fitModes: number) =>
+      exhibitor.shown({
+        ...state(),
+        tab: 'shapes',
+        shape: 0,
+        fitModes,
+        colouring: { ...state().colouring, shapes: 'fit' },
+      });
     expect(of(2).surfaces[1].points).toEqual(of(2).surfaces[0].points);
     expect(Math.max(...of(2).surfaces[0].values!)).toBe(0);
     const first = of(1);

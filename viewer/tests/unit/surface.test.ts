@@ -20,7 +20,8 @@ describe('pointNormals', () => {
   it('are unit vectors that point outward', () => {
     const normals = pointNormals(model.landmarks, model.triangles, vectors);
     for (let i = 0; i < model.landmarks; ++i) {
-      const [x, y, z] = model.mean.subarray(3 * i), [nx, ny, nz] = normals.subarray(3 * i);
+      const [x, y, z] = model.mean.subarray(3 * i),
+        [nx, ny, nz] = normals.subarray(3 * i);
       expect(Math.hypot(nx, ny, nz)).toBeCloseTo(1, 5);
       const r = Math.hypot(x, y);
       expect(nx * (x - (20 * x) / r) + ny * (y - (20 * y) / r) + nz * z).toBeGreaterThan(4);
@@ -40,12 +41,20 @@ describe('opposing', () => {
 describe('firstHit', () => {
   it('finds each triangle from straight above its middle, and its nearest corner', () => {
     for (let t = 0; t < model.triangles.length / 3; ++t) {
-      const corners = [0, 1, 2].map((k) => [...model.mean.subarray(3 * model.triangles[3 * t + k], 3 * model.triangles[3 * t + k] + 3)]);
+      const corners = [0, 1, 2].map((k) => [
+        ...model.mean.subarray(3 * model.triangles[3 * t + k], 3 * model.triangles[3 * t + k] + 3),
+      ]);
       // Close to the first corner.
       const at = [0, 1, 2].map((c) => 0.8 * corners[0][c] + 0.12 * corners[1][c] + 0.08 * corners[2][c]);
-      const n = [...vectors.subarray(3 * t, 3 * t + 3)], length = Math.hypot(...n);
+      const n = [...vectors.subarray(3 * t, 3 * t + 3)],
+        length = Math.hypot(...n);
       const origin = at.map((x, c) => x + n[c] / length);
-      const hit = firstHit(model.mean, model.triangles, origin, n.map((x) => -x / length));
+      const hit = firstHit(
+        model.mean,
+        model.triangles,
+        origin,
+        n.map((x) => -x / length),
+      );
       expect(hit).toMatchObject({ triangle: t, landmark: model.triangles[3 * t] });
       expect(hit!.at).toBeCloseTo(1, 3);
     }

@@ -5,8 +5,7 @@ import { smallReport } from '../support/small_report';
 
 const { model, torus } = new Report(smallReport());
 
-const signedArea = (p: ArrayLike<number>) =>
-  ((p[2] - p[0]) * (p[5] - p[1]) - (p[4] - p[0]) * (p[3] - p[1])) / 2;
+const signedArea = (p: ArrayLike<number>) => ((p[2] - p[0]) * (p[5] - p[1]) - (p[4] - p[0]) * (p[3] - p[1])) / 2;
 
 // What is left of a polygon where coordinate c is at least (sign 1) or at most (sign -1) the bound.
 function clipped(polygon: [number, number][], c: 0 | 1, sign: number, bound: number): [number, number][] {
@@ -49,7 +48,8 @@ describe('copiesOverDomain', () => {
     for (let i = 0; i < triangles.length; ++i) {
       let polygon = [0, 1, 2].map((k) => [turns[6 * i + 2 * k], turns[6 * i + 2 * k + 1]] as [number, number]);
       for (const c of [0, 1] as const) polygon = clipped(clipped(polygon, c, 1, 0), c, -1, 1);
-      for (let k = 1; k + 1 < polygon.length; ++k) covered += signedArea([...polygon[0], ...polygon[k], ...polygon[k + 1]]);
+      for (let k = 1; k + 1 < polygon.length; ++k)
+        covered += signedArea([...polygon[0], ...polygon[k], ...polygon[k + 1]]);
     }
     expect(covered).toBeCloseTo(1, 5);
   });
