@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 PageKind chosen(const std::optional<PageKind>& asked) {
   if (asked == PageKind::interactive && !has_viewer())
     throw InvalidInput(
-        "the interactive page is not part of this build of foramen: npm was not found when it was built");
+        "the interactive page is not part of this build of foramen: npm was not found, or FORAMEN_VIEWER was "
+        "off");
   return asked.value_or(has_viewer() ? PageKind::interactive : PageKind::plain);
 }
 
@@ -42,8 +43,9 @@ ModelPage model_page(const fs::path& folder, const PageOptions& options) {
   try {
     const PageContents contents = page_contents(record, baseline);
     if (kind == PageKind::plain) {
-      const std::string why = has_viewer() ? "it was asked for"
-                                           : "foramen was built without npm, which makes the interactive one";
+      const std::string why =
+          has_viewer() ? "it was asked for"
+                       : "this foramen was built without the interactive one (no npm, or FORAMEN_VIEWER off)";
       ModelPage page{kind, plain_page(record, contents, why), ""};
       page.remark = "plain page, since " + why + "; " + megabytes(page.html.size());
       return page;

@@ -39,7 +39,7 @@ std::string plain_page(const ModelRecord& record, const PageContents& contents, 
             "variance and the representation error."},
        .charts = contents.charts});
   if (!contents.differences.empty())
-    page.sections.push_back({.title = "Differences from the baseline",
+    page.sections.push_back({.title = "This model minus the baseline",
                              .paragraphs = contents.remarks,
                              .tables = contents.differences});
   page.sections.push_back({.title = "Shapes", .tables = {contents.shapes}});

@@ -28,7 +28,7 @@ Statement what_it_is(const ModelRecord& record) {
   const Evaluation& evaluation = record.evaluation;
   const std::size_t used = evaluation.names.size(), left_out = record.run.at("shapes").size() - used;
   std::string text =
-      "A statistical model of the shape of vertebrae, learnt from " + std::to_string(used) + " of them";
+      "A statistical model of the shape of vertebrae, learnt from " + std::to_string(used) + " vertebrae";
   if (const std::size_t subjects = subject_count(evaluation); subjects > 0)
     text += " of " + counted(subjects, "subject", "subjects");
   text +=
@@ -117,8 +117,10 @@ Statement how_far_to_trust(const ModelRecord& record) {
   std::string text = about_flips(record);
   const double impossible = evaluation.drawn.self_intersecting.mean;
   text +=
-      (impossible > 0 ? fixed(100 * impossible, 1) + " %" : std::string("None")) + " of " +
-      std::to_string(evaluation.options.draws) +
+      (impossible == 0   ? std::string("None")
+       : impossible == 1 ? std::string("All")
+                         : fixed(100 * impossible, 1) + " %") +
+      " of " + std::to_string(evaluation.options.draws) +
       " random shapes of the model (all scores within ±2 standard deviations) intersect themselves, which "
       "no vertebra does. ";
   const std::size_t subjects = subject_count(evaluation);

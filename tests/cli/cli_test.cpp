@@ -92,7 +92,7 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   const auto files = files_of(one);
   for (const char* name : {"model.h5", "mean.ply", "corresponding/synth001.ply", "corresponding/synth004.ply",
                            "modes/mode01_minus2sd.ply", "modes/mode01_plus2sd.ply", "atlas.h5", "scores.csv",
-                           "metrics.json", "metrics.csv", "report.html"})
+                           "metrics.json", "metrics.csv", "error_maps.h5", "report.html"})
     EXPECT_TRUE(files.contains(name)) << name;
   for (const auto& [name, bytes] : files) {
     EXPECT_TRUE(files_of(two).at(name) == bytes) << name << " differs between 1 and 2 threads";
@@ -101,6 +101,16 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   const auto record = nlohmann::json::parse(bytes_of(one / "run.json"));
   EXPECT_EQ(record.at("shapes").size(), 4u);
   for (const auto& shape : record.at("shapes")) EXPECT_EQ(shape.at("certificate").at("flipped"), 0);
+
+  ASSERT_EQ(run("report " + two.string()).code, 0);
+  EXPECT_TRUE(files_of(two).at("report.html") == files.at("report.html")) << "report writes what build wrote";
+  const fs::path plain = folder() / "plain.html";
+  const Outcome reported =
+      run("report --plain --baseline " + two.string() + " " + one.string() + " -o " + plain.string());
+  ASSERT_EQ(reported.code, 0);
+  EXPECT_THAT(reported.output, HasSubstr("plain page, since"));
+  EXPECT_THAT(contents(plain), HasSubstr("This is the plain page"));
+  EXPECT_THAT(contents(plain), HasSubstr("baseline: two"));
 
   EXPECT_EQ(run("sample " + one.string() + " -n 3 -o " + (folder() / "samples").string()).code, 0);
   EXPECT_EQ(files_of(folder() / "samples").size(), 3u);
