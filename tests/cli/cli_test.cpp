@@ -109,8 +109,8 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
       run("report --plain --baseline " + two.string() + " " + one.string() + " -o " + plain.string());
   ASSERT_EQ(reported.code, 0);
   EXPECT_THAT(reported.output, HasSubstr("plain page, since"));
-  EXPECT_THAT(contents(plain), HasSubstr("This is the plain page"));
-  EXPECT_THAT(contents(plain), HasSubstr("baseline: two"));
+  EXPECT_THAT(bytes_of(plain), HasSubstr("This is the plain page"));
+  EXPECT_THAT(bytes_of(plain), HasSubstr("baseline: two"));
 
   EXPECT_EQ(run("sample " + one.string() + " -n 3 -o " + (folder() / "samples").string()).code, 0);
   EXPECT_EQ(files_of(folder() / "samples").size(), 3u);
@@ -196,7 +196,7 @@ TEST_F(Cli, PartsOfTheRegistrationAreChosenAndRecorded) {
 
   const auto described = built("--objective description --rounds 0");
   EXPECT_EQ(described.at("options").at("objective"), "description");
-  EXPECT_EQ(described.at("options").at("group").at("bending"), "smooth");
+  EXPECT_EQ(described.at("options").at("group").at("bending"), "cohort");
   EXPECT_EQ(described.at("description_lengths").size(), 4u) << "before each of three rounds and at the end";
 
   const auto neighbours = built("--objective neighbours");
