@@ -31,6 +31,7 @@ function(foramen_add_module name)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(FORAMEN_BUILD_TESTS AND tests)
     add_executable(${name}_tests ${tests})
+    foramen_compile_quickly(${name}_tests)
     target_link_libraries(${name}_tests PRIVATE foramen::${name} foramen_test_support GTest::gtest_main
                                                 GTest::gmock foramen_warnings)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src)
@@ -51,4 +52,9 @@ function(foramen_add_module name)
                                                 foramen_warnings)
     target_include_directories(${name}_bench PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   endif()
+endfunction()
+
+# Tests are compiled more often than they are waited for; what they test is optimised all the same.
+function(foramen_compile_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
