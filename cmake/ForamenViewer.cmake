@@ -9,14 +9,15 @@ set(viewer_template ${PROJECT_BINARY_DIR}/viewer/viewer_template.cpp)
 set(viewer_packages ${viewer}/node_modules/.package-lock.json)
 
 if(FORAMEN_VIEWER AND NPM_PROGRAM)
+  set(FORAMEN_HAS_VIEWER ON PARENT_SCOPE) # for the tests
   message(STATUS "Reports: interactive pages (npm: ${NPM_PROGRAM})")
   add_custom_command(
     OUTPUT ${viewer_packages}
-    COMMAND ${NPM_PROGRAM} ci --silent
-    COMMAND ${CMAKE_COMMAND} -E touch ${viewer_packages}
+    COMMAND ${CMAKE_COMMAND} -D NPM=${NPM_PROGRAM} -D STAMP=${viewer_packages} -P
+            ${CMAKE_CURRENT_LIST_DIR}/install_viewer_packages.cmake
     DEPENDS ${viewer}/package.json ${viewer}/package-lock.json ${viewer}/.npmrc
     WORKING_DIRECTORY ${viewer}
-    COMMENT "viewer: installing its packages (without a network, configure with -DFORAMEN_VIEWER=OFF)")
+    COMMENT "viewer: installing its packages")
   file(GLOB_RECURSE viewer_sources CONFIGURE_DEPENDS ${viewer}/src/*)
   add_custom_command(
     OUTPUT ${viewer_page}

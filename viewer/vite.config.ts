@@ -9,7 +9,9 @@ function dataOfReport(report: string | undefined): Plugin {
     apply: 'serve',
     transformIndexHtml(page) {
       if (!report) throw new Error('name a report to take the data from: REPORT=../model/report.html npm run dev');
-      const data = /<script id="report-data" type="application\/json">([^<]*)<\/script>/.exec(readFileSync(report, 'utf8'));
+      const data = /<script id="report-data" type="application\/json">([^<]*)<\/script>/.exec(
+        readFileSync(report, 'utf8'),
+      );
       if (!data?.[1]) throw new Error(`${report}: is no interactive report`);
       return page.replace('@REPORT_DATA@', () => data[1]!);
     },

@@ -16,7 +16,7 @@ FirstMap first_map(const Mesh& carried, const Mesh& embedded, const ReferenceLoo
   const LoopSystem loops = propagate_loops(carried, reference, edge_cost);
   const Cocycle form = cocycle(carried, loops);
   FirstMap first;
-  first.homology = transfer_homology(carried, form, stations_of(reference)).a;
+  first.homology = transfer_homology(carried, form, reference).a;
   first.seifert = seifert_matrix(embedded, loops.loops[0], loops.loops[1]);
   if (!seifert_test(first.homology, first.seifert, reference.seifert))
     throw TopologyError(

@@ -12,15 +12,17 @@ namespace foramen {
 namespace {
 
 EdgeLoop transfer_loop(const Mesh& shape, const OrientedPointIndex& index, VertexPaths& paths,
-                       const std::vector<LoopStation>& stations) {
-  std::vector<VertexId> passed;
-  for (const LoopStation& station : stations) {
-    const VertexId moved(index.nearest(station.position, station.normal).index);
-    if (passed.empty() || passed.back() != moved) passed.push_back(moved);
+                       const ReferenceLoops& reference, const VertexMap<Vec3>& reference_normals,
+                       const EdgeLoop& loop) {
+  std::vector<VertexId> stations;
+  for (HalfedgeId h : loop) {
+    const VertexId v = reference.mesh.from(h);
+    const VertexId moved(index.nearest(reference.mesh.position(v), reference_normals[v]).index);
+    if (stations.empty() || stations.back() != moved) stations.push_back(moved);
   }
   EdgeLoop closed;
-  for (std::size_t k = 0; k < passed.size(); ++k) {
-    const auto walk = paths.between(passed[k], passed[(k + 1) % passed.size()]);
+  for (std::size_t k = 0; k < stations.size(); ++k) {
+    const auto walk = paths.between(stations[k], stations[(k + 1) % stations.size()]);
     closed.insert(closed.end(), walk.begin(), walk.end());
   }
   FORAMEN_ASSERT(closed.empty() || shape.to(closed.back()) == shape.from(closed.front()));
@@ -62,27 +64,18 @@ std::array<VertexMap<Vec3>, 2> vertex_gradients(const Mesh& mesh, const TorusMap
 
 }  // namespace
 
-LoopStations stations_of(const ReferenceLoops& reference) {
-  const auto normals = vertex_normals(reference.mesh);
-  LoopStations stations;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (HalfedgeId h : reference.loops.loops[k]) {
-      const VertexId v = reference.mesh.from(h);
-      stations[k].push_back({reference.mesh.position(v), normals[v]});
-    }
-  return stations;
-}
-
 HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form,
-                                   const LoopStations& reference) {
+                                   const ReferenceLoops& reference) {
+  const auto reference_normals = vertex_normals(reference.mesh);
   const auto normals = vertex_normals(aligned_shape);
   const OrientedPointIndex index(aligned_shape.positions(), normals.values(), vertebra_normal_weight_mm);
   const auto lengths = edge_lengths(aligned_shape);
   VertexPaths paths(aligned_shape, lengths);
   HomologyTransfer transfer;
   for (int k = 0; k < 2; ++k) {
+    const EdgeLoop& loop = reference.loops.loops[static_cast<std::size_t>(k)];
     auto& moved = transfer.transferred[static_cast<std::size_t>(k)];
-    moved = transfer_loop(aligned_shape, index, paths, reference[static_cast<std::size_t>(k)]);
+    moved = transfer_loop(aligned_shape, index, paths, reference, reference_normals, loop);
     transfer.a.col(k) = integrate(form, moved);
   }
   const int det = transfer.a(0, 0) * transfer.a(1, 1) - transfer.a(0, 1) * transfer.a(1, 0);
@@ -93,23 +86,34 @@ HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& for
   return transfer;
 }
 
-void require_reference_homology(const Mesh& carried, const Mesh& embedded, const TorusMap& map,
-                                const LoopStations& loops, const Eigen::Matrix2i& reference_seifert) {
-  const HomologyTransfer moved = transfer_homology(carried, {map.jumps}, loops);
-  const Eigen::Matrix2i seifert = seifert_matrix(embedded, moved.transferred[0], moved.transferred[1]);
-  if (moved.a == Eigen::Matrix2i::Identity() && seifert == reference_seifert) return;
-  throw TopologyError(
-      "the finished map winds the reference's loops round the torus otherwise than the reference does (or "
-      "they "
-      "link otherwise in space): the shape is probably misaligned or of another anatomy");
-}
-
 Eigen::Matrix2i inverse_unimodular(const Eigen::Matrix2i& a) {
   const int det = a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
   FORAMEN_ASSERT(std::abs(det) == 1);
   Eigen::Matrix2i inverse;
   inverse << det * a(1, 1), -det * a(0, 1), -det * a(1, 0), det * a(0, 0);
   return inverse;
+}
+
+void require_reference_homology(const Mesh& mesh, const TorusMap& map, const Vec2& base,
+                                const Eigen::Matrix2i& reference_seifert) {
+  const auto distance = [&](VertexId v) {
+    const Vec2 turns = map.turns[v] - base;
+    return (map.lattice * (turns - turns.array().round().matrix())).squaredNorm();
+  };
+  VertexId nearest(0);
+  for (VertexId v : mesh.vertices())
+    if (distance(v) < distance(nearest)) nearest = v;
+  const LoopSystem loops = oriented(mesh, greedy_loops(mesh, nearest, edge_lengths(mesh)));
+  Eigen::Matrix2i periods = Eigen::Matrix2i::Zero();
+  for (int k = 0; k < 2; ++k)
+    periods.col(k) = integrate({map.jumps}, loops.loops[static_cast<std::size_t>(k)]);
+  const int det = periods(0, 0) * periods(1, 1) - periods(0, 1) * periods(1, 0);
+  const Eigen::Matrix2i seifert = seifert_matrix(mesh, loops.loops[0], loops.loops[1]);
+  if (det == 1 && seifert_test(inverse_unimodular(periods), seifert, reference_seifert)) return;
+  throw TopologyError(
+      "the finished map winds round the torus otherwise than the reference's (Seifert test of loops found "
+      "anew "
+      "failed): the shape is probably misaligned or of another anatomy");
 }
 
 Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference,

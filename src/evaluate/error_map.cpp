@@ -20,28 +20,28 @@ ErrorMap error_map(const TriangleTree& corresponding, const TriangleTree& input,
   const Mesh& landmarks = corresponding.mesh();
   ErrorMap map{std::vector<double>(static_cast<std::size_t>(landmarks.vertex_count()), 0.0),
                indices(flips.plain), indices(flips.confirmed)};
-  const auto count = [&](VertexId landmark, double squared_distance) {
+  const auto count = [&](VertexId landmark, const ClosestPoint& closest) {
     double& largest = map.landmark_mm[static_cast<std::size_t>(landmark.index)];
-    largest = std::max(largest, std::sqrt(squared_distance));
+    largest = std::max(largest, std::sqrt(closest.squared_distance));
   };
   for (const Vec3& p : input.mesh().positions()) {
     const ClosestPoint closest = corresponding.closest(p);
     int corner = 0;
     closest.on.barycentric.maxCoeff(&corner);
-    count(landmarks.corners(closest.on.face)[static_cast<std::size_t>(corner)], closest.squared_distance);
+    count(landmarks.corners(closest.on.face)[static_cast<std::size_t>(corner)], closest);
   }
-  for (FaceId f : landmarks.faces()) {
-    const auto t = landmarks.triangle(f);
-    const double distance = input.closest((t[0] + t[1] + t[2]) / 3).squared_distance;
-    for (VertexId corner : landmarks.corners(f)) count(corner, distance);
-  }
+  for (VertexId v : landmarks.vertices()) count(v, input.closest(landmarks.position(v)));
   for (EdgeId e : landmarks.edges()) {
     const HalfedgeId h = landmarks.halfedge(e);
     const VertexId a = landmarks.from(h), b = landmarks.to(h);
-    const double distance =
-        input.closest((landmarks.position(a) + landmarks.position(b)) / 2).squared_distance;
-    count(a, distance);
-    count(b, distance);
+    const ClosestPoint closest = input.closest((landmarks.position(a) + landmarks.position(b)) / 2);
+    count(a, closest);
+    count(b, closest);
+  }
+  for (FaceId f : landmarks.faces()) {
+    const auto t = landmarks.triangle(f);
+    const ClosestPoint closest = input.closest((t[0] + t[1] + t[2]) / 3);
+    for (VertexId corner : landmarks.corners(f)) count(corner, closest);
   }
   return map;
 }

@@ -24,22 +24,32 @@ struct Reading {
   int genus = 0;
 };
 
-Reading read_voxels(const BinaryVolume& voxels, EdgeContact contact, bool keep_cut) {
+Reading read_voxels(const BinaryVolume& voxels, EdgeContact contact) {
   Reading reading;
   reading.volume = voxels;
   reading.contact = contact;
   reading.cleaning = keep_largest_component(reading.volume, contact);
-  if (!reading.cleaning.cut_at.empty() && !keep_cut) {
-    std::string sides;
-    for (const std::string& side : reading.cleaning.cut_at) sides += (sides.empty() ? "" : ", ") + side;
-    throw InvalidInput("it reaches the border of the label map (" + sides +
-                       "), so the vertebra is cut off; leave it out, or take it as it is with --keep-cut");
-  }
   reading.surface = voxel_surface(reading.volume, contact);
   // Closed, so that every triangle has three halves of an edge: V - E + F = V - F / 2.
   const auto euler = std::ssize(reading.surface.points) - std::ssize(reading.surface.triangles) / 2;
   reading.genus = static_cast<int>((2 - euler) / 2);
   return reading;
+}
+
+// The reading whose genus is nearer to a vertebra's.
+Reading best_reading(const BinaryVolume& voxels, bool keep_cut) {
+  Reading joined = read_voxels(voxels, EdgeContact::joined);
+  const auto is_cut = [&](const Reading& r) { return !r.cleaning.cut_at.empty() && !keep_cut; };
+  if (is_cut(joined)) {
+    std::string sides;
+    for (const std::string& side : joined.cleaning.cut_at) sides += (sides.empty() ? "" : ", ") + side;
+    throw InvalidInput("it reaches the border of the label map (" + sides +
+                       "), so the vertebra is cut off; leave it out, or take it as it is with --keep-cut");
+  }
+  if (joined.genus == 1) return joined;
+  Reading apart = read_voxels(voxels, EdgeContact::apart);
+  const bool nearer = std::abs(apart.genus - 1) < std::abs(joined.genus - 1);
+  return nearer && !is_cut(apart) ? apart : joined;
 }
 
 // Distances of the surface (vertices along the lattice's axes) and the voxels' boundary.
@@ -49,6 +59,42 @@ SurfaceDistance deviation(TriangleSoup surface, TriangleSoup boundary, const Vec
   for (Vec3& p : boundary.points) p = p.cwiseProduct(boundary_scale);
   return surface_distance(TriangleTree(build_mesh(std::move(surface))),
                           TriangleTree(build_mesh(std::move(boundary))));
+}
+
+ExtractionReport report_on(const Reading& reading) {
+  const extract::Cleaning& cleaning = reading.cleaning;
+  ExtractionReport report;
+  report.genus = reading.genus;
+  report.contact = reading.contact;
+  report.components = cleaning.components;
+  report.voxels = cleaning.kept_voxels + cleaning.filled_voxels;
+  report.lost_voxels = cleaning.lost_voxels;
+  report.filled_voxels = cleaning.filled_voxels;
+  report.cut_at = cleaning.cut_at;
+  report.voxel_volume = static_cast<double>(report.voxels) * reading.volume.spacing().prod();
+  return report;
+}
+
+// Takes the surface from voxel coordinates to mm along the lattice's axes, smooths it and measures it. Where
+// the voxels are blocks, smoothing goes to its bound in most places: the bound is then lowered.
+void smooth(ExtractedSurface& result, const Reading& reading, const ExtractOptions& options) {
+  constexpr double accepted_p95 = 0.5, lowered = 0.9;
+  const Vec3 spacing = reading.volume.spacing();
+  const TriangleSoup boundary = voxel_boundary(reading.volume);
+  TriangleSoup start = reading.surface;
+  for (Vec3& p : start.points) p = p.cwiseProduct(spacing);
+  ExtractionReport& report = result.report;
+  for (double bound = options.bound_voxels;; bound *= lowered) {
+    extract::SmoothedSurface smoothed =
+        extract::smooth_surface(start, spacing, report.voxel_volume, options.smoothing_rounds, bound);
+    result.surface.points = std::move(smoothed.points);
+    report.restrained = smoothed.restrained;
+    report.bound = bound;
+    report.deviation = deviation(result.surface, boundary, spacing.cwiseInverse(), Vec3::Ones());
+    if (report.deviation.p95 <= accepted_p95 || options.smoothing_rounds == 0) break;
+  }
+  report.deviation_mm = deviation(result.surface, boundary, Vec3::Ones(), spacing);
+  report.volume = signed_volume(build_mesh(result.surface));
 }
 
 }  // namespace
@@ -84,37 +130,13 @@ ExtractedSurface extract_label(const LabelMap& map, int label, const LabelExtent
   if (options.smoothing_rounds < 0 || !(options.bound_voxels > 0 && options.bound_voxels <= largest_bound))
     throw InvalidInput("smoothing needs at least 0 rounds and a bound above 0 and up to 0.5 voxels");
   if (extent.voxels <= 0) throw InvalidInput("the label map has no label " + std::to_string(label));
-  const BinaryVolume voxels = extract::binary_volume(map, label, extent);
-  Reading reading = read_voxels(voxels, EdgeContact::joined, options.keep_cut);
-  if (reading.genus != 1) {
-    Reading apart = read_voxels(voxels, EdgeContact::apart, options.keep_cut);
-    if (std::abs(apart.genus - 1) < std::abs(reading.genus - 1)) reading = std::move(apart);
-  }
-
+  const Reading reading = best_reading(extract::binary_volume(map, label, extent), options.keep_cut);
   const BinaryVolume& volume = reading.volume;
   const Vec3 spacing = volume.spacing();
-  ExtractedSurface result;
-  ExtractionReport& report = result.report;
-  report.genus = reading.genus;
-  report.contact = reading.contact;
-  report.components = reading.cleaning.components;
-  report.voxels = reading.cleaning.kept_voxels + reading.cleaning.filled_voxels;
-  report.lost_voxels = reading.cleaning.lost_voxels;
-  report.filled_voxels = reading.cleaning.filled_voxels;
-  report.cut_at = reading.cleaning.cut_at;
-  report.voxel_volume = static_cast<double>(report.voxels) * spacing.prod();
+  ExtractedSurface result{reading.surface, report_on(reading)};
+  smooth(result, reading, options);
 
   TriangleSoup& surface = result.surface;
-  surface = std::move(reading.surface);
-  for (Vec3& p : surface.points) p = p.cwiseProduct(spacing);
-  extract::SmoothedSurface smoothed = extract::smooth_surface(surface, spacing, report.voxel_volume, options);
-  surface.points = std::move(smoothed.points);
-  report.restrained = smoothed.restrained;
-  report.volume = signed_volume(build_mesh(surface));
-  const TriangleSoup boundary = voxel_boundary(volume);
-  report.deviation_mm = deviation(surface, boundary, Vec3::Ones(), spacing);
-  report.deviation = deviation(surface, boundary, spacing.cwiseInverse(), Vec3::Ones());
-
   for (Vec3& p : surface.points) p = volume.origin + volume.axes * p.cwiseQuotient(spacing);
   if (volume.axes.determinant() < 0)
     for (auto& t : surface.triangles) std::swap(t[1], t[2]);

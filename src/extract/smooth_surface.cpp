@@ -108,11 +108,11 @@ class Smoother {
 
 }  // namespace
 
-SmoothedSurface smooth_surface(const TriangleSoup& start, const Vec3& spacing, double volume,
-                               const ExtractOptions& options) {
-  Smoother smoother(start, spacing, options.bound_voxels);
-  for (int k = 0; k < options.smoothing_rounds; ++k) smoother.descend();
-  if (options.smoothing_rounds > 0) smoother.reach_volume(volume);
+SmoothedSurface smooth_surface(const TriangleSoup& start, const Vec3& spacing, double volume, int rounds,
+                               double bound) {
+  Smoother smoother(start, spacing, bound);
+  for (int k = 0; k < rounds; ++k) smoother.descend();
+  if (rounds > 0) smoother.reach_volume(volume);
   SmoothedSurface result;
   result.restrained = smoother.part();
   result.points = smoother.take();

@@ -28,23 +28,6 @@ Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vec
   return shape.with_positions(std::move(positions));
 }
 
-// The reference's loops as they lie on a template: by their places on the torus.
-LoopStations loops_on(const PreparedTemplate& to, const Reference& reference) {
-  const Mesh& mesh = to.surface.mesh;
-  const auto normals = vertex_normals(mesh);
-  LoopStations stations;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (HalfedgeId h : reference.loops.loops.loops[k]) {
-      const VertexId v = reference.mesh().from(h);
-      const SurfacePoint p = to.metric.locator().locate(reference.shape_map.map.turns[v]);
-      Vec3 normal = Vec3::Zero();
-      for (std::size_t c = 0; c < 3; ++c)
-        normal += p.barycentric[static_cast<Eigen::Index>(c)] * normals[mesh.corners(p.face)[c]];
-      stations[k].push_back({position(mesh, p), normal.normalized()});
-    }
-  return stations;
-}
-
 }  // namespace
 
 PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options)
@@ -140,8 +123,9 @@ void MemberSteps::finish(Member& member, const PreparedTemplate& to) const {
   require_converged(full, "input");
   RegisteredShape& result = member.result;
   result.shape_map = certified(*member.input, member.map, full);
-  require_reference_homology(bent_back(aligned, to.surface, member.bent), *member.input, result.shape_map.map,
-                             loops_on(to, reference_), reference_.loops.seifert);
+  const VertexId base = reference_.loops.loops.basepoint;
+  require_reference_homology(*member.input, result.shape_map.map, reference_.shape_map.map.turns[base],
+                             reference_.loops.seifert);
   const Mesh beside_reference = transformed(*member.input, result.alignment.transform);
   result.agreement =
       map_agreement(beside_reference, result.shape_map.map, reference_.mesh(), reference_.shape_map.map);

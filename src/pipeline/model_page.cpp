@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 PageKind chosen(const std::optional<PageKind>& asked) {
   if (asked == PageKind::interactive && !has_viewer())
     throw InvalidInput(
-        "the interactive page is not part of this build of foramen: npm was not found when it was built");
+        "the interactive page is not part of this build of foramen: npm was not found, or FORAMEN_VIEWER was "
+        "off");
   return asked.value_or(has_viewer() ? PageKind::interactive : PageKind::plain);
 }
 
@@ -42,21 +43,23 @@ ModelPage model_page(const fs::path& folder, const PageOptions& options) {
   try {
     const PageContents contents = page_contents(record, baseline);
     if (kind == PageKind::plain) {
-      const std::string why = has_viewer() ? "it was asked for"
-                                           : "foramen was built without npm, which makes the interactive one";
+      const std::string why =
+          has_viewer() ? "it was asked for"
+                       : "this foramen was built without the interactive one (no npm, or FORAMEN_VIEWER off)";
       ModelPage page{kind, plain_page(record, contents, why), ""};
       page.remark = "plain page, since " + why + "; " + megabytes(page.html.size());
       return page;
     }
     // File names may be no UTF-8; a page must be.
-    const std::string data = report_data(record, contents)
-                                 .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    const std::string data =
+        report_data(record, contents).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     ModelPage page{kind, interactive_html(data), ""};
-    page.remark = "interactive page; " + megabytes(page.html.size()) + ", " + megabytes(data.size()) +
-                  " of them data";
+    page.remark =
+        "interactive page; " + megabytes(page.html.size()) + ", " + megabytes(data.size()) + " of them data";
     return page;
   } catch (const nlohmann::json::exception& e) {
-    throw IoError((folder / "run.json").string() + ": is not a run record of this version (" + e.what() + ")");
+    throw IoError((folder / "run.json").string() + ": is not a run record of this version (" + e.what() +
+                  ")");
   }
 }
 

@@ -70,9 +70,9 @@ Vec3 orthogonal_part(const Vec3& v, const Vec3& unit) { return (v - v.dot(unit) 
 
 std::vector<PageView> principal_views(const Mesh& mean) {
   std::vector<PageView> views;
-  for (const auto& [name, view] : {std::pair{"shortest axis", View::along_shortest},
-                                   {"middle axis", View::along_middle},
-                                   {"longest axis", View::along_longest}}) {
+  for (const auto& [name, view] : {std::pair{"Shortest axis", View::along_shortest},
+                                   {"Middle axis", View::along_middle},
+                                   {"Longest axis", View::along_longest}}) {
     const Camera camera = view_of(mean.positions(), view, mean.positions());
     views.push_back({name, -camera.direction, camera.up});
   }
@@ -86,8 +86,7 @@ std::array<std::vector<SurfacePoint>, 2> loops_on_landmarks(const Atlas& atlas) 
   // Places on the torus matter alone: any points in space will do.
   const Mesh mesh =
       build_mesh({std::vector<Vec3>(landmarks.turns.size(), Vec3::Zero()), landmarks.triangles});
-  const TorusLocator locator(
-      mesh, {atlas.map.lattice, VertexMap<Vec2>(landmarks.turns), landmarks.jumps});
+  const TorusLocator locator(mesh, {atlas.map.lattice, VertexMap<Vec2>(landmarks.turns), landmarks.jumps});
   std::array<std::vector<SurfacePoint>, 2> loops;
   for (std::size_t k = 0; k < 2; ++k)
     for (VertexId v : atlas.loops[k]) loops[k].push_back(locator.locate(atlas.map.turns[v]));
@@ -102,11 +101,11 @@ std::vector<PageView> page_views(const Mesh& mean, const std::array<std::vector<
   const Vec3 front = orthogonal_part(volume_centroid(mean) - canal->middle, head);
   const Vec3 side = head.cross(front);
   const Vec3 oblique = (0.75 * head + 0.75 * side - front).normalized();
-  return {{"oblique", oblique, orthogonal_part(head, oblique)},
-          {"along the canal", -head, front},
-          {"side", side, head},
-          {"back", -front, head},
-          {"front", front, head}};
+  return {{"Oblique", oblique, orthogonal_part(head, oblique)},
+          {"Along the canal", -head, front},
+          {"Side", side, head},
+          {"Back", -front, head},
+          {"Front", front, head}};
 }
 
 }  // namespace foramen

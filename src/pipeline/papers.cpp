@@ -16,7 +16,8 @@ constexpr Paper erickson{
     "the two loops"};
 // \cite brett2000
 constexpr Paper brett{
-    "A. D. Brett, C. J. Taylor: Construction of 3D Shape Models of Femoral Articular Cartilage Using Harmonic "
+    "A. D. Brett, C. J. Taylor: Construction of 3D Shape Models of Femoral Articular Cartilage Using "
+    "Harmonic "
     "Maps. MICCAI 2000",
     "the baseline: landmarks carried to closest points"};
 // \cite fuhrmann2010
@@ -26,16 +27,15 @@ constexpr Paper fuhrmann{
     "landmarks, denser where the mean is curved"};
 // \cite gower1975
 constexpr Paper gower{"J. C. Gower: Generalized Procrustes Analysis. Psychometrika 40(1), 1975",
-                  "alignment of the shapes"};
+                      "alignment of the shapes"};
 // \cite cootes1995
 constexpr Paper cootes{
     "T. F. Cootes, C. J. Taylor, D. H. Cooper, J. Graham: Active Shape Models - Their Training and "
     "Application. Computer Vision and Image Understanding 61, 1995",
     "the model: mean, modes, scores"};
 // \cite thodberg2003
-constexpr Paper thodberg{
-    "H. H. Thodberg: Minimum Description Length Shape and Appearance Models. IPMI 2003",
-    "the last rounds of registration, by description length"};
+constexpr Paper thodberg{"H. H. Thodberg: Minimum Description Length Shape and Appearance Models. IPMI 2003",
+                         "the last rounds of registration, by description length"};
 // \cite davies2008
 constexpr Paper davies{
     "R. H. Davies, C. J. Twining, C. J. Taylor: Statistical Models of Shape: Optimisation and Evaluation. "

@@ -16,11 +16,12 @@ ReportSection summary_section(const PageContents& contents) {
 }
 
 ReportSection pictures_section(const ModelRecord& record) {
-  if (can_render()) return {.title = "Pictures", .pictures = model_pictures(record.atlas, record.loaded.model)};
-  return {
-      .title = "Pictures",
-      .paragraphs = {"None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
-                     "build time, `xvfb-run -a foramen report MODEL --plain` writes this page with pictures."}};
+  if (can_render())
+    return {.title = "Pictures", .pictures = model_pictures(record.atlas, record.loaded.model)};
+  return {.title = "Pictures",
+          .paragraphs = {
+              "None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
+              "build time, `xvfb-run -a foramen report MODEL --plain` writes this page with pictures."}};
 }
 
 }  // namespace
@@ -33,11 +34,12 @@ std::string plain_page(const ModelRecord& record, const PageContents& contents, 
       {.title = "Evaluation",
        .paragraphs =
            {"Distances are measured to the input surfaces (repaired where it says so). Bars are standard "
-            "errors of the mean. Specificity alone rewards a model that lost variance: read it beside the total "
+            "errors of the mean. Specificity alone rewards a model that lost variance: read it beside the "
+            "total "
             "variance and the representation error."},
        .charts = contents.charts});
   if (!contents.differences.empty())
-    page.sections.push_back({.title = "Differences from the baseline",
+    page.sections.push_back({.title = "This model minus the baseline",
                              .paragraphs = contents.remarks,
                              .tables = contents.differences});
   page.sections.push_back({.title = "Shapes", .tables = {contents.shapes}});

@@ -111,19 +111,19 @@ ordered_json shapes_json(const ModelRecord& record) {
   for (std::size_t i = 0; i < evaluation.names.size(); ++i) {
     const ShapeRepresentation& r = evaluation.representation.shapes[i];
     const ErrorMap& map = record.error_maps[i];
-    const auto scores = floats(record.loaded.scores.col(static_cast<Eigen::Index>(i))
-                                   .head(page_modes(record.loaded.model)));
-    shapes.push_back({{"name", evaluation.names[i]},
-                      {"subject", evaluation.subjects.empty() ? ordered_json()
-                                                              : ordered_json(evaluation.subjects[i])},
-                      {"is_reference", record.run.at("reference") == evaluation.names[i]},
-                      {"scores", scores},
-                      {"error", errors_json(map.landmark_mm)},
-                      {"plain_flips", indices_json(map.plain_flips)},
-                      {"confirmed_flips", indices_json(map.confirmed_flips)},
-                      {"mean_mm", r.distance.mean},
-                      {"p95_mm", r.distance.p95},
-                      {"hausdorff_mm", r.distance.hausdorff}});
+    const auto scores =
+        floats(record.loaded.scores.col(static_cast<Eigen::Index>(i)).head(page_modes(record.loaded.model)));
+    shapes.push_back(
+        {{"name", evaluation.names[i]},
+         {"subject", evaluation.subjects.empty() ? ordered_json() : ordered_json(evaluation.subjects[i])},
+         {"is_reference", record.run.at("reference") == evaluation.names[i]},
+         {"scores", scores},
+         {"error", errors_json(map.landmark_mm)},
+         {"plain_flips", indices_json(map.plain_flips)},
+         {"confirmed_flips", indices_json(map.confirmed_flips)},
+         {"mean_mm", r.distance.mean},
+         {"p95_mm", r.distance.p95},
+         {"hausdorff_mm", r.distance.hausdorff}});
   }
   return shapes;
 }

@@ -171,6 +171,7 @@ ordered_json extraction_json(const ExtractionReport& r) {
           {"volume_mm3", r.volume},
           {"deviation_voxels", {{"p95", r.deviation.p95}, {"largest", r.deviation.hausdorff}}},
           {"deviation_mm", {{"p95", r.deviation_mm.p95}, {"largest", r.deviation_mm.hausdorff}}},
+          {"bound_voxels", r.bound},
           {"vertices_restrained", r.restrained}};
 }
 

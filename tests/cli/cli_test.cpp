@@ -92,7 +92,7 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   const auto files = files_of(one);
   for (const char* name : {"model.h5", "mean.ply", "corresponding/synth001.ply", "corresponding/synth004.ply",
                            "modes/mode01_minus2sd.ply", "modes/mode01_plus2sd.ply", "atlas.h5", "scores.csv",
-                           "metrics.json", "metrics.csv", "report.html"})
+                           "metrics.json", "metrics.csv", "error_maps.h5", "report.html"})
     EXPECT_TRUE(files.contains(name)) << name;
   for (const auto& [name, bytes] : files) {
     EXPECT_TRUE(files_of(two).at(name) == bytes) << name << " differs between 1 and 2 threads";
@@ -101,6 +101,16 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   const auto record = nlohmann::json::parse(bytes_of(one / "run.json"));
   EXPECT_EQ(record.at("shapes").size(), 4u);
   for (const auto& shape : record.at("shapes")) EXPECT_EQ(shape.at("certificate").at("flipped"), 0);
+
+  ASSERT_EQ(run("report " + two.string()).code, 0);
+  EXPECT_TRUE(files_of(two).at("report.html") == files.at("report.html")) << "report writes what build wrote";
+  const fs::path plain = folder() / "plain.html";
+  const Outcome reported =
+      run("report --plain --baseline " + two.string() + " " + one.string() + " -o " + plain.string());
+  ASSERT_EQ(reported.code, 0);
+  EXPECT_THAT(reported.output, HasSubstr("plain page, since"));
+  EXPECT_THAT(bytes_of(plain), HasSubstr("This is the plain page"));
+  EXPECT_THAT(bytes_of(plain), HasSubstr("baseline: two"));
 
   EXPECT_EQ(run("sample " + one.string() + " -n 3 -o " + (folder() / "samples").string()).code, 0);
   EXPECT_EQ(files_of(folder() / "samples").size(), 3u);
@@ -186,7 +196,7 @@ TEST_F(Cli, PartsOfTheRegistrationAreChosenAndRecorded) {
 
   const auto described = built("--objective description --rounds 0");
   EXPECT_EQ(described.at("options").at("objective"), "description");
-  EXPECT_EQ(described.at("options").at("group").at("bending"), "smooth");
+  EXPECT_EQ(described.at("options").at("group").at("bending"), "cohort");
   EXPECT_EQ(described.at("description_lengths").size(), 4u) << "before each of three rounds and at the end";
 
   const auto neighbours = built("--objective neighbours");
@@ -273,7 +283,7 @@ TEST_F(Cli, ExtractGivesMeshesOfLabels) {
                             " -o " + out + "4");
   EXPECT_EQ(named.code, 0) << named.output;
   EXPECT_TRUE(fs::exists(out + "4/spine_second.ply"));
-  const auto record = nlohmann::json::parse(contents(out + "4/extract.json"));
+  const auto record = nlohmann::json::parse(bytes_of(out + "4/extract.json"));
   EXPECT_EQ(record.at("command"), "foramen extract spine.nii.gz --label-names names.csv");
 }
 
@@ -286,7 +296,7 @@ TEST_F(Cli, BuildTakesLabelMapsAndSaysSo) {
   EXPECT_THAT(built.output, HasSubstr("has no label 24"));
   ASSERT_EQ(run(build + two.string() + " --threads 2 --quiet").code, 0);
   EXPECT_TRUE(files_of(one) == files_of(two));
-  const auto record = nlohmann::json::parse(contents(one / "run.json"));
+  const auto record = nlohmann::json::parse(bytes_of(one / "run.json"));
   EXPECT_EQ(record.at("command"),
             "foramen build spine.nii.gz --method icp --landmarks 400 --samples 5 --labels 20-24");
   EXPECT_EQ(record.at("options").at("label_maps").at("labels"), "20-24");

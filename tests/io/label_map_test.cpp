@@ -161,6 +161,29 @@ TEST(ReadLabelMap, MetaImageInItsEncodings) {
               map, double_precision);
 }
 
+// Files that ITK 5.2.1 wrote of one image of 3 x 4 x 5 voxels, 0.75 x 1.25 x 2.5 mm, in a left-handed oblique
+// direction, voxel (i, j, k) being 100 k + 10 j + i. ITK says where voxel (2, 3, 4) is.
+TEST(ReadLabelMap, FilesWrittenByItkStandWhereItkSays) {
+  const TemporaryFolder folder;
+  const std::filesystem::path itk = std::filesystem::path(FORAMEN_TESTS_DIR) / "io" / "written_by_itk";
+  std::string by_quaternion = bytes_of(itk / "oblique.nii");
+  set_value<std::int16_t>(by_quaternion, 254, 0);
+  for (const auto& file : {itk / "oblique.nii", folder.file("qform.nii", by_quaternion), itk / "oblique.nrrd",
+                           itk / "oblique.mha", itk / "oblique.mhd"}) {
+    SCOPED_TRACE(file);
+    const LabelMap map = read_label_map(file);
+    ASSERT_EQ(map.size, (std::array{3, 4, 5}));
+    for (int k = 0; k < 5; ++k)
+      for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(map.at(i, j, k), 100 * k + 10 * j + i);
+    EXPECT_LT((map.origin - Vec3(10.5, -20.25, 300)).norm(), 1e-5);
+    EXPECT_LT(
+        (map.origin + map.axes * Vec3(2, 3, 4) - Vec3(13.6740381057, -28.5911450702, 306.055021141)).norm(),
+        1e-5);
+    EXPECT_LT(map.axes.determinant(), 0);
+  }
+}
+
 TEST(ReadLabelMapRealData, TheVerseLabelMap) {
   FORAMEN_NEEDS_REAL_DATA();
   const LabelMap map = read_label_map(data_dir() / "labels" / "verse004.nii.gz");

@@ -146,7 +146,10 @@ TEST_F(LabelCohort, ExtractRefusesAMissingSingleLabelBeforeItWrites) {
   const std::filesystem::path out = folder_.path() / "out";
   const auto extract = [&](const char* labels) {
     return refusal([&] {
-      run_extract({.inputs = {spine()}, .output = out, .labels = {.labels = LabelSelection::parse(labels)}},
+      run_extract({.inputs = {spine()},
+                   .output = out,
+                   .labels = {.labels = LabelSelection::parse(labels)},
+                   .canonical_command = ""},
                   ctx_);
     });
   };

@@ -14,7 +14,7 @@ import { openDetailsInPrint } from './ui/print';
 
 function explorerOf(report: Report): Explorer | null {
   try {
-    return new Explorer(report, () => (document.documentElement.dataset.drawn = 'yes'));
+    return new Explorer(report, (sharp) => (document.documentElement.dataset.drawn = sharp ? 'sharp' : 'in-motion'));
   } catch (error) {
     console.warn(error);
     return null;
@@ -22,10 +22,23 @@ function explorerOf(report: Report): Explorer | null {
 }
 
 function header(report: Report): HTMLElement {
-  const links = [['model', 'Model'], ['summary', 'In plain words'], ['quality', 'Quality'], ['shapes', 'Training shapes'], ['provenance', 'How it was made']];
-  return element('header', { class: 'page-header' },
+  const links = [
+    ['model', 'Model'],
+    ['summary', 'In plain words'],
+    ['quality', 'Quality'],
+    ['shapes', 'Training shapes'],
+    ['provenance', 'How it was made'],
+  ];
+  return element(
+    'header',
+    { class: 'page-header' },
     element('div', {}, element('h1', {}, report.data.title), element('p', { class: 'subtitle' }, report.data.subtitle)),
-    element('nav', { aria: { label: 'Parts of the page' } }, ...links.map(([id, text]) => element('a', { href: `#${id}` }, text))));
+    element(
+      'nav',
+      { aria: { label: 'Parts of the page' } },
+      ...links.map(([id, text]) => element('a', { href: `#${id}` }, text)),
+    ),
+  );
 }
 
 function build(text: string): void {
@@ -33,18 +46,36 @@ function build(text: string): void {
   document.title = `${report.data.title}: ${report.data.subtitle}`;
   const explorer = explorerOf(report);
   const showShape = (shape: number) => explorer?.showShape(shape);
-  const noView = element('p', { class: 'warning', id: 'model' }, 'The model cannot be shown in motion: this browser has no WebGL, or it is switched off. All else is below.');
-  document.body.append(header(report), element('main', {}, explorer?.root ?? noView, summary(report.data), quality(report.data),
-    shapes(report, showShape), provenance(report.data, text.length)));
+  const noView = element(
+    'p',
+    { class: 'warning', id: 'model' },
+    'The model cannot be shown in motion: this browser has no WebGL, or it is switched off. All else is below.',
+  );
+  document.body.append(
+    header(report),
+    element(
+      'main',
+      {},
+      explorer?.root ?? noView,
+      summary(report.data),
+      quality(report.data),
+      shapes(report, showShape),
+      provenance(report.data, text.length),
+    ),
+  );
   openDetailsInPrint();
-  // Frames on demand, to be measured.
-  Object.assign(window, { foramenReport: explorer });
 }
 
 const data = document.getElementById('report-data')!.textContent!;
 try {
   build(data);
 } catch (error) {
-  document.body.append(element('p', { class: 'warning', role: 'alert' }, `This report cannot be shown: ${error instanceof Error ? error.message : String(error)}`));
+  document.body.append(
+    element(
+      'p',
+      { class: 'warning', role: 'alert' },
+      `This report cannot be shown: ${error instanceof Error ? error.message : String(error)}`,
+    ),
+  );
   throw error;
 }

@@ -15,9 +15,9 @@ struct ErrorMap {
 };
 
 /// Distances both ways: of each vertex of the input to the corresponding mesh, counted for the landmark whose
-/// barycentric coordinate is largest at the closest point; of the middle of each landmark triangle and edge
-/// to the input, counted for its three or two landmarks. The landmarks themselves lie on the input. The
-/// largest of a map is a lower bound of the Hausdorff distance, as that of surface_distance() is.
+/// barycentric coordinate is largest at the closest point; of each landmark, and of the middle of each
+/// landmark edge and triangle, to the input, counted for its landmarks. The largest of a map is a lower bound
+/// of the Hausdorff distance, as that of surface_distance() is.
 ErrorMap error_map(const TriangleTree& corresponding, const TriangleTree& input, const SampledFlips& flips);
 
 }  // namespace foramen

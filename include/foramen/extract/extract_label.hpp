@@ -23,12 +23,12 @@ std::map<int, LabelExtent> find_labels(const LabelMap& map);
 
 struct ExtractOptions {
   bool keep_cut = false;  ///< Also take a label that reaches the border of the label map, closed flat there.
-  /// Of smoothing. >= 0; 0 leaves the voxels' surface with its corners cut. More make large flat steps
-  /// smoother, and move the surface farther from the voxels: with 15 the 95th percentile stays below half a
-  /// voxel.
+  /// Of smoothing. >= 0; 0 leaves the voxels' surface with its corners cut. More make wide flat steps
+  /// smoother and move the surface farther from the voxels.
   int smoothing_rounds = 15;
   /// No vertex moves farther from its place on the voxels' surface, the middle of a voxel's face, than this,
-  /// in voxels: |(dx / sx, dy / sy, dz / sz)| <= bound for spacings s along the lattice. 0 < bound <= 0.5.
+  /// in voxels: |(dx / sx, dy / sy, dz / sz)| <= bound for spacings s along the lattice. 0 < bound <= 0.5. It
+  /// is lowered by tenths of itself while the 95th percentile of the deviation is above half a voxel.
   double bound_voxels = 0.5;
 };
 
@@ -43,12 +43,13 @@ struct ExtractionReport {
   std::int64_t voxels = 0;         ///< enclosed: of the largest component and its cavities
   std::int64_t lost_voxels = 0;    ///< of the other components
   std::int64_t filled_voxels = 0;  ///< of cavities
-  std::vector<std::string>
-      cut_at;                    ///< sides of the label map that it reaches, e.g. "superior"; with keep_cut
+  /// Sides of the label map that it reaches, e.g. "superior"; with keep_cut.
+  std::vector<std::string> cut_at;
   double voxel_volume = 0;       ///< enclosed, mm^3
   double volume = 0;             ///< within the surface, mm^3
   SurfaceDistance deviation_mm;  ///< of the surface and the voxels' boundary; mm
   SurfaceDistance deviation;     ///< the same where every voxel is a unit cube: in voxels
+  double bound = 0;              ///< that was kept, in voxels
   int restrained = 0;  ///< vertices that smoothing moved less, since the surface would have met itself
 };
 

@@ -15,8 +15,8 @@ struct NamedErrorMap {
   ErrorMap map;
 };
 
-/// HDF5 with these paths, P landmarks: /shapes/NAME/landmark_mm (P) single precision, /shapes/NAME/plain_flips
-/// and /shapes/NAME/confirmed_flips, indices of landmark triangles.
+/// HDF5 with these paths, P landmarks: /shapes/NAME/landmark_mm (P) single precision,
+/// /shapes/NAME/plain_flips and /shapes/NAME/confirmed_flips, indices of landmark triangles.
 void write_error_maps(const std::filesystem::path& path, const std::vector<NamedErrorMap>& maps);
 
 /// The maps of the shapes of these names, in their order. Throws IoError if one is missing or does not fit a

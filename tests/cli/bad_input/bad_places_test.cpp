@@ -72,7 +72,7 @@ TEST_F(BadPlaces, InputsThatAreNotThere) {
   fs::create_symlink("circle_a.ply", scratch("circle_b.ply"));
   fs::create_symlink("circle_b.ply", scratch("circle_a.ply"));
   const auto given = [&](const fs::path& path) { return quick(path.string(), model); };
-  expect_refused(given(empty), "empty: the folder holds no mesh file (looked for .ply");
+  expect_refused(given(empty), "empty: the folder holds no mesh file and no label map (looked for .ply");
   expect_refused(given(scratch("notes")), "notes: the folder holds no mesh file");
   expect_refused(given(scratch("folder.ply")), "folder.ply: the folder holds no mesh file");
   expect_refused(given(scratch("none.ply")), "none.ply: there is no such file or folder");

@@ -28,7 +28,11 @@ export class ColourPanel {
   private readonly modeRow: HTMLElement;
 
   constructor(report: Report, store: Store) {
-    this.mode = element('select', {}, ...report.model.varianceShares.map((_, m) => element('option', { value: String(m) }, `Mode ${m + 1}`)));
+    this.mode = element(
+      'select',
+      {},
+      ...report.model.varianceShares.map((_, m) => element('option', { value: String(m) }, `Mode ${m + 1}`)),
+    );
     const [colourLabel] = labelledControl('Colours', this.select);
     const [modeLabel] = labelledControl('Mode', this.mode);
     this.modeRow = element('div', { class: 'field' }, modeLabel, this.mode);
@@ -42,10 +46,19 @@ export class ColourPanel {
       input.addEventListener('change', () => store.update({ [key]: input.checked }));
       return element('label', { class: 'check' }, input, text);
     };
-    this.root = element('div', { class: 'colour-panel' },
-      element('div', { class: 'field' }, colourLabel, this.select), this.modeRow,
-      element('div', { class: 'checks', role: 'group', aria: { label: 'Drawn with the surface' } },
-        box('loops', 'Loops'), box('edges', 'Triangles'), box('flips', 'Flipped triangles')));
+    this.root = element(
+      'div',
+      { class: 'colour-panel' },
+      element('div', { class: 'field' }, colourLabel, this.select),
+      this.modeRow,
+      element(
+        'div',
+        { class: 'checks', role: 'group', aria: { label: 'Drawn with the surface' } },
+        box('loops', 'Loops'),
+        box('edges', 'Triangles'),
+        box('flips', 'Flipped triangles'),
+      ),
+    );
     store.subscribe((state, changed) => {
       if (changed.has('tab') || changed.has('colouring') || changed.has('strengthMode')) this.follow(state);
     });

@@ -8,12 +8,13 @@ import { ModePanel } from './mode_panel';
 import { ShapePanel } from './shape_panel';
 import { Exhibitor, type Shown } from './shown';
 import { SpaceView } from './space_view';
+import { Sharpness, stillAfter } from './sharpness';
 import { initialState, Store, type State, type Tab } from './state';
 import { tabs } from './tabs';
 import { TorusView } from './torus_view';
 
 const checkerCells = 320;
-const announcedAfter = 700;  // milliseconds
+const announcedAfter = 700; // milliseconds
 
 /** The model to move, turn and look into: surface, torus, controls. */
 export class Explorer {
@@ -30,9 +31,14 @@ export class Explorer {
   private frame = 0;
   private stale = true;
   private announcing = 0;
+  private readonly sharpness = new Sharpness();
+  private sharpening = 0;
 
   /** Throws if the browser has no WebGL. */
-  constructor(private readonly report: Report, private readonly drawn: () => void) {
+  constructor(
+    private readonly report: Report,
+    private readonly drawn: (sharp: boolean) => void,
+  ) {
     this.store = new Store(initialState(report));
     this.exhibitor = new Exhibitor(report);
     this.shown = this.exhibitor.shown(this.store.state);
@@ -46,7 +52,7 @@ export class Explorer {
       this.schedule();
     });
     this.root = this.layout();
-    addEventListener('beforeprint', () => this.draw());
+    addEventListener('beforeprint', () => this.draw(true));
   }
 
   /** Shows a training shape. */
@@ -55,9 +61,10 @@ export class Explorer {
     this.root.scrollIntoView({ block: 'start' });
   }
 
-  /** Draws what is due at once, to the last pixel. */
-  draw(): void {
+  /** Draws what is due; sharp once the picture stands still. */
+  draw(sharp = false): void {
     cancelAnimationFrame(this.frame);
+    clearTimeout(this.sharpening);
     this.frame = 0;
     const { state } = this.store;
     if (this.stale) {
@@ -73,14 +80,11 @@ export class Explorer {
     this.space.mark(marked);
     this.torus.placeMark(marked);
     this.landmark.show(this.shown, state);
-    this.space.draw();
-    this.torus.draw();
-    this.drawn();
-  }
-
-  /** Waits until the graphics hardware has drawn everything. */
-  finish(): void {
-    this.space.finish();
+    const ratio = sharp ? this.sharpness.sharpest : this.sharpness.inMotion(performance.now());
+    this.space.draw(ratio);
+    this.torus.draw(ratio);
+    this.drawn(sharp);
+    if (!sharp) this.sharpening = window.setTimeout(() => this.draw(true), stillAfter);
   }
 
   private schedule(): void {
@@ -96,28 +100,65 @@ export class Explorer {
   private layout(): HTMLElement {
     const { report, store } = this;
     const views = report.data.views.map((view) =>
-      element('button', { type: 'button', onclick: () => this.space.lookFrom(view) }, view.name));
-    const hint = element('p', { class: 'hint' }, 'Drag to turn, Shift and drag to move, click and then scroll to zoom; or arrow keys, + − 0.');
-    const stage = element('div', { class: 'stage' }, this.space.root,
-      element('div', { class: 'view-buttons', role: 'group', aria: { label: 'Look from' } }, ...views), this.legend.root);
-    const modes = new ModePanel(report, store), shapes = new ShapePanel(report, store);
-    const panel = element('div', { class: 'panel' },
-      ...tabs<Tab>([
-        { key: 'modes', title: 'Modes', body: modes.root },
-        { key: 'shapes', title: 'Training shapes', body: shapes.root },
-      ], (tab) => store.update({ tab }), (listen) => store.subscribe((state: State) => listen(state.tab))),
+      element('button', { type: 'button', onclick: () => this.space.lookFrom(view) }, view.name),
+    );
+    const hints = [
+      element(
+        'p',
+        { class: 'hint' },
+        'Drag to turn, Shift and drag to move, click and then scroll to zoom; or arrow keys, + − 0.',
+      ),
+      element('p', { class: 'hint touch' }, 'One finger turns, two move and zoom; tap to mark a landmark.'),
+    ];
+    const stage = element(
+      'div',
+      { class: 'stage' },
+      this.space.root,
+      element('div', { class: 'view-buttons', role: 'group', aria: { label: 'Look from' } }, ...views),
+      this.legend.root,
+    );
+    const modes = new ModePanel(report, store),
+      shapes = new ShapePanel(report, store);
+    const panel = element(
+      'div',
+      { class: 'panel' },
+      ...tabs<Tab>(
+        [
+          { key: 'modes', title: 'Modes', body: modes.root },
+          { key: 'shapes', title: 'Training shapes', body: shapes.root },
+        ],
+        (tab) => store.update({ tab }),
+        (listen) => store.subscribe((state: State) => listen(state.tab)),
+      ),
       new ColourPanel(report, store).root,
-      element('figure', { class: 'torus-figure' }, element('figcaption', {}, 'The same surface on the flat torus; its opposite borders are one line'), this.torus.root),
+      element(
+        'figure',
+        { class: 'torus-figure' },
+        element('figcaption', {}, 'The same surface on the flat torus; its opposite borders are one line'),
+        this.torus.root,
+      ),
       this.landmark.root,
-      element('div', { class: 'buttons' }, element('button', { type: 'button', onclick: () => this.save() }, 'Save this shape as PLY')));
-    return element('section', { class: 'explorer', id: 'model', aria: { label: 'The model in motion' } },
-      stage, element('div', { class: 'under-stage' }, this.status, hint), panel, this.announcement);
+      element(
+        'div',
+        { class: 'buttons' },
+        element('button', { type: 'button', onclick: () => this.save() }, 'Save this shape as PLY'),
+      ),
+    );
+    return element(
+      'section',
+      { class: 'explorer', id: 'model', aria: { label: 'The model in motion' } },
+      element('div', { class: 'show' }, stage, element('div', { class: 'under-stage' }, this.status, ...hints)),
+      panel,
+      this.announcement,
+    );
   }
 
   private save(): void {
     const { state } = this.store;
     const name = state.tab === 'modes' ? 'model_shape' : this.report.shapes[state.shape].name;
-    const address = URL.createObjectURL(plyOf(this.shown.surfaces[0].points, this.report.model.triangles, this.report.data.model.space));
+    const address = URL.createObjectURL(
+      plyOf(this.shown.surfaces[0].points, this.report.model.triangles, this.report.data.model.space),
+    );
     element('a', { href: address, download: `${name}.ply` }).click();
     setTimeout(() => URL.revokeObjectURL(address), 10_000);
   }

@@ -8,12 +8,17 @@ export class Legend {
   readonly root = element('div', { class: 'legend' });
 
   show(shown: Shown, state: State): void {
+    const told = JSON.stringify([shown.colouring, shown.scale, state.flips, shown.surfaces[0].flipped.length]);
+    if (this.root.dataset.told === told) return;
+    this.root.dataset.told = told;
     const flipped = state.flips ? shown.surfaces[0].flipped.length : 0;
     const parts = shown.scale ? scaleParts(shown.scale.label, shown.scale.end) : torusParts(shown);
     if (flipped > 0) {
       const swatch = element('i', { class: 'swatch' });
       swatch.style.background = flipColour;
-      parts.push(element('p', { class: 'legend-note' }, swatch, `${flipped} flipped triangle${flipped === 1 ? '' : 's'}`));
+      parts.push(
+        element('p', { class: 'legend-note' }, swatch, `${flipped} flipped triangle${flipped === 1 ? '' : 's'}`),
+      );
     }
     this.root.replaceChildren(...parts);
   }
@@ -24,7 +29,9 @@ function scaleParts(label: string, end: number): HTMLElement[] {
   bar.style.background = `linear-gradient(to right, ${ramp.join(', ')})`;
   const steps = evenSteps(end);
   const digits = Math.max(0, 1 - Math.floor(Math.log10(end / steps)));
-  const ticks = Array.from({ length: steps + 1 }, (_, i) => element('span', {}, String(Number(((i * end) / steps).toFixed(digits)))));
+  const ticks = Array.from({ length: steps + 1 }, (_, i) =>
+    element('span', {}, String(Number(((i * end) / steps).toFixed(digits)))),
+  );
   return [element('p', { class: 'legend-label' }, label), bar, element('div', { class: 'legend-ticks' }, ...ticks)];
 }
 

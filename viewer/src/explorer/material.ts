@@ -1,46 +1,33 @@
-import { DoubleSide, GLSL3, ShaderMaterial, Vector3 } from 'three';
+import { DoubleSide, FrontSide, GLSL3, ShaderMaterial, Vector3 } from 'three';
 import { channels, flipColour, ramp } from './ramp';
 import type { Colouring } from './state';
 
-// Corners of a triangle stand beside each other in the buffers, so gl_VertexID tells which corner a vertex is.
 const vertexShader = /* glsl */ `
 in float value;
 in vec2 turns;
-in float flipped;
 out vec3 vNormal;
 out vec3 vToEye;
 out float vValue;
 out vec2 vTurns;
-out vec3 vCorner;
-flat out float vFlipped;
 void main() {
   vec4 seen = modelViewMatrix * vec4(position, 1.0);
   vNormal = normalMatrix * normal;
   vToEye = -seen.xyz;
   vValue = value;
   vTurns = turns;
-  vFlipped = flipped;
-  int corner = gl_VertexID % 3;
-  vCorner = vec3(corner == 0, corner == 1, corner == 2);
   gl_Position = projectionMatrix * seen;
 }`;
 
+// What does not change from frame to frame is decided when the program is compiled: software renderers draw all this, too.
 const fragmentShader = /* glsl */ `
-uniform int kind;        // 0 plain, 1 distances, 2 torus, 3 checkerboard of the torus
 uniform float scaleEnd;
 uniform vec3 ramp[${ramp.length}];
 uniform vec3 flipColour;
 uniform vec2 cells;
-uniform bool lit;
-uniform bool edges;
-uniform bool clipped;    // to the domain of the torus
-uniform float edgeStrength;
 in vec3 vNormal;
 in vec3 vToEye;
 in float vValue;
 in vec2 vTurns;
-in vec3 vCorner;
-flat in float vFlipped;
 out vec4 colour;
 
 const float pi = 3.14159265358979;
@@ -64,82 +51,100 @@ vec3 torusColour(vec2 turns) {
 }
 
 vec3 rampColour(float share) {
-  float at = clamp(share, 0.0, 1.0) * float(${ramp.length - 1});
-  int low = min(int(at), ${ramp.length - 2});
-  return mix(ramp[low], ramp[low + 1], at - float(low));
+  float at = clamp(share, 0.0, 1.0) * ${ramp.length - 1}.0;
+  vec3 c = ramp[0];
+${ramp
+  .slice(1)
+  .map((_, i) => `  c = mix(c, ramp[${i + 1}], clamp(at - ${i}.0, 0.0, 1.0));`)
+  .join('\n')}
+  return c;
 }
 
 vec3 surfaceColour() {
-  if (vFlipped > 0.5) return flipColour;
-  if (kind == 1) return rampColour(vValue / scaleEnd);
-  if (kind == 2) return torusColour(vTurns);
-  if (kind == 3) {
-    vec2 cell = floor(vTurns * cells);
-    vec3 c = torusColour((cell + 0.5) / cells);
-    return mod(cell.x + cell.y, 2.0) < 0.5 ? c : mix(c, vec3(1.0), 0.4);
-  }
-  return ramp[0];
+#if COLOURS == 1
+  vec3 c = rampColour(vValue / scaleEnd);
+#elif COLOURS == 2
+  vec3 c = torusColour(vTurns);
+#elif COLOURS == 3
+  vec2 cell = floor(vTurns * cells);
+  vec3 c = torusColour((cell + 0.5) / cells);
+  if (mod(cell.x + cell.y, 2.0) > 0.5) c = mix(c, vec3(1.0), 0.4);
+#elif COLOURS == 4
+  vec3 c = flipColour;
+#else
+  vec3 c = ramp[0];
+#endif
+  return c;
 }
 
+// A lamp at the upper left and a weaker one at the right; surfaces seen edge on are darker. Squares stand for the sRGB curve.
 vec3 lighted(vec3 base) {
-  vec3 n = normalize(vNormal);
-  if (!gl_FrontFacing) n = -n;
+  vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal);
   vec3 eye = normalize(vToEye);
-  float key = max(dot(n, normalize(vec3(-0.45, 0.75, 0.75))), 0.0);
-  float fill = max(dot(n, normalize(vec3(0.8, -0.1, 0.45))), 0.0);
-  float sky = 0.5 + 0.5 * n.y;
-  float facing = max(dot(n, eye), 0.0);
-  vec3 c = pow(base, vec3(2.2));
-  c *= 0.26 + 0.2 * sky + 0.66 * key + 0.2 * fill;
-  c *= 0.6 + 0.4 * smoothstep(0.0, 0.5, facing);
-  vec3 halfway = normalize(eye + normalize(vec3(-0.45, 0.75, 0.75)));
-  c += 0.05 * pow(max(dot(n, halfway), 0.0), 24.0);
-  return pow(c, vec3(1.0 / 2.2));
+  float key = max(dot(n, vec3(-0.391, 0.651, 0.651)), 0.0);
+  float fill = max(dot(n, vec3(0.867, -0.108, 0.488)), 0.0);
+  float edge = smoothstep(0.0, 0.5, dot(n, eye));
+  float light = (0.36 + 0.1 * n.y + 0.66 * key + 0.2 * fill) * (0.6 + 0.4 * edge);
+  float shine = max(2.0 * key * n.z - 0.6, 0.0);
+  return sqrt(base * base * light + 0.03 * shine * shine);
 }
 
 void main() {
-  if (clipped && (any(lessThan(vTurns, vec2(0.0))) || any(greaterThan(vTurns, vec2(1.0))))) discard;
   vec3 c = surfaceColour();
-  if (edges) {
-    vec3 width = fwidth(vCorner);
-    vec3 inside = smoothstep(vec3(0.0), width * 1.1, vCorner);
-    c = mix(c * (1.0 - edgeStrength), c, min(min(inside.x, inside.y), inside.z));
-  }
-  colour = vec4(lit ? lighted(c) : c, 1.0);
+#if defined(LIT)
+  c = lighted(c);
+#endif
+  colour = vec4(c, 1.0);
 }`;
 
 const vectorOf = (colour: string) => new Vector3(...channels(colour));
 
-/** The one material of all surfaces, in space (lit) and on the flat torus (clipped to its domain). */
+/** What is coloured: distances and the like, or all in the colour of flipped triangles. */
+export type Painting = Colouring | 'flips';
+
+// Of COLOURS in the shader.
+const kinds: Record<Painting, number> = {
+  plain: 0,
+  displacement: 1,
+  strength: 1,
+  error: 1,
+  fit: 1,
+  torus: 2,
+  checkerboard: 3,
+  flips: 4,
+};
+
+/** The material of all surfaces: lit in space, flat on the torus. */
 export class SurfaceMaterial extends ShaderMaterial {
-  constructor(where: 'space' | 'torus', cells: [number, number]) {
+  constructor(light: 'lit' | 'flat', cells: [number, number]) {
     super({
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader,
-      side: DoubleSide,
+      defines: { COLOURS: 0, ...(light === 'lit' ? { LIT: '' } : {}) },
       uniforms: {
-        kind: { value: 0 },
         scaleEnd: { value: 1 },
         ramp: { value: ramp.map(vectorOf) },
         flipColour: { value: vectorOf(flipColour) },
         cells: { value: cells },
-        lit: { value: where === 'space' },
-        clipped: { value: where === 'torus' },
-        edges: { value: false },
-        edgeStrength: { value: 0.3 },
       },
     });
-    if (where === 'space') {
-      this.polygonOffset = true;  // loops lie on the surface
-      this.polygonOffsetFactor = this.polygonOffsetUnits = 1;
-    }
   }
 
-  show(colouring: Colouring, scaleEnd: number, edges: boolean): void {
-    const kinds: Partial<Record<Colouring, number>> = { plain: 0, torus: 2, checkerboard: 3 };
-    this.uniforms.kind.value = kinds[colouring] ?? 1;
+  /** `bothSides`: some triangles show their inner side. */
+  paint(painting: Painting, scaleEnd: number, bothSides: boolean): void {
     this.uniforms.scaleEnd.value = scaleEnd;
-    this.uniforms.edges.value = edges;
+    const side = bothSides ? DoubleSide : FrontSide;
+    if (this.defines.COLOURS === kinds[painting] && this.side === side) return;
+    this.defines.COLOURS = kinds[painting];
+    this.side = side;
+    this.needsUpdate = true;
+  }
+
+  /** Moves the surface behind what is drawn on it. */
+  behind(steps: number): this {
+    this.polygonOffset = steps > 0;
+    this.polygonOffsetFactor = this.polygonOffsetUnits = steps;
+    return this;
   }
 }

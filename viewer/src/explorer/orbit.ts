@@ -42,7 +42,8 @@ export class Orbit {
   place(camera: PerspectiveCamera, aspect: number): void {
     camera.aspect = aspect;
     const half = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, aspect));
-    const distance = this.radius / Math.sin(half) / this.zoom;
+    const distance = this.radius / Math.sin(half);
+    camera.zoom = this.zoom; // the eye stays outside
     camera.near = distance / 20;
     camera.far = distance + 4 * this.radius;
     camera.quaternion.copy(this.attitude);
@@ -54,8 +55,11 @@ export class Orbit {
   /** Turns to a named view and centres it. */
   lookFrom(view: NamedView): void {
     this.current = view;
-    const start = this.attitude.clone(), end = attitudeOf(view);
-    const offset = this.offset.clone(), zoom = this.zoom, begun = performance.now();
+    const start = this.attitude.clone(),
+      end = attitudeOf(view);
+    const offset = this.offset.clone(),
+      zoom = this.zoom,
+      begun = performance.now();
     const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
     const turn = ++this.turning;
     const step = (now: number) => {
@@ -80,7 +84,8 @@ export class Orbit {
   private drag(e: PointerEvent): void {
     const before = this.pointers.get(e.pointerId);
     if (!before) return;
-    const dx = e.clientX - before.clientX, dy = e.clientY - before.clientY;
+    const dx = e.clientX - before.clientX,
+      dy = e.clientY - before.clientY;
     if (this.pointers.size === 1) {
       if (e.shiftKey || e.buttons === 2) this.shift(dx, dy);
       else this.turn(-dx * radiansPerPixel, -dy * radiansPerPixel);

@@ -15,6 +15,7 @@ export function channels(colour: string): [number, number, number] {
 export function roundedUp(value: number): number {
   if (!(value > 0)) return 1;
   const magnitude = 10 ** Math.floor(Math.log10(value));
-  for (const factor of [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8]) if (factor * magnitude >= value * (1 - 1e-9)) return factor * magnitude;
+  for (const factor of [1, 1.5, 2, 2.5, 3, 4, 5, 6, 8])
+    if (factor * magnitude >= value * (1 - 1e-9)) return factor * magnitude;
   return 10 * magnitude;
 }

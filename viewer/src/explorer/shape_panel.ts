@@ -10,22 +10,43 @@ export class ShapePanel {
   private readonly modesText = element('output');
   private readonly facts = element('dl', { class: 'facts' });
 
-  constructor(private readonly report: Report, private readonly store: Store) {
+  constructor(
+    private readonly report: Report,
+    private readonly store: Store,
+  ) {
     const { shapes, model } = report;
     this.select = element('select', {}, ...shapes.map((s, i) => element('option', { value: String(i) }, s.name)));
     this.select.addEventListener('change', () => store.update({ shape: Number(this.select.value) }));
     const step = (by: number, name: string, sign: string) =>
-      element('button', { type: 'button', class: 'step', aria: { label: name },
-        onclick: () => store.update({ shape: (store.state.shape + by + shapes.length) % shapes.length }) }, sign);
+      element(
+        'button',
+        {
+          type: 'button',
+          class: 'step',
+          aria: { label: name },
+          onclick: () => store.update({ shape: (store.state.shape + by + shapes.length) % shapes.length }),
+        },
+        sign,
+      );
     this.modes = element('input', { type: 'range', min: '0', max: String(model.modes), step: '1' });
     this.modes.addEventListener('input', () => store.update({ fitModes: Number(this.modes.value) }));
-    const take = element('button', { type: 'button', onclick: () => this.takeScores() }, 'Set the sliders to this shape');
+    const take = element(
+      'button',
+      { type: 'button', onclick: () => this.takeScores() },
+      'Set the sliders to this shape',
+    );
     const [shapeLabel] = labelledControl('Training shape', this.select);
     const [modesLabel] = labelledControl('Modes of the fit beside it', this.modes);
-    this.root = element('div', { class: 'shape-panel' },
-      shapeLabel, element('div', { class: 'stepper' }, step(-1, 'Previous shape', '‹'), this.select, step(1, 'Next shape', '›')),
-      modesLabel, element('div', { class: 'slider-row' }, this.modes, this.modesText),
-      this.facts, element('div', { class: 'buttons' }, take));
+    this.root = element(
+      'div',
+      { class: 'shape-panel' },
+      shapeLabel,
+      element('div', { class: 'stepper' }, step(-1, 'Previous shape', '‹'), this.select, step(1, 'Next shape', '›')),
+      modesLabel,
+      element('div', { class: 'slider-row' }, this.modes, this.modesText),
+      this.facts,
+      element('div', { class: 'buttons' }, take),
+    );
     store.subscribe((state, changed) => {
       if (changed.has('shape') || changed.has('fitModes')) this.follow(state);
     });
@@ -43,7 +64,9 @@ export class ShapePanel {
     this.select.value = String(state.shape);
     this.modes.value = String(state.fitModes);
     this.modesText.textContent = `${state.fitModes} of ${this.report.model.modes}`;
-    this.facts.replaceChildren(...factsOf(shape).flatMap(([term, fact]) => [element('dt', {}, term), element('dd', {}, fact)]));
+    this.facts.replaceChildren(
+      ...factsOf(shape).flatMap(([term, fact]) => [element('dt', {}, term), element('dd', {}, fact)]),
+    );
   }
 }
 
@@ -52,7 +75,16 @@ function factsOf(shape: Shape): [string, string][] {
   if (shape.subject) facts.push(['Subject', shape.subject]);
   if (shape.is_reference) facts.push(['Role', 'the reference']);
   facts.push(
-    ['Distance to the input', `${shape.mean_mm.toFixed(3)} mm mean, ${shape.p95_mm.toFixed(3)} mm p95, ${shape.hausdorff_mm.toFixed(2)} mm Hausdorff`],
-    ['Flipped triangles', shape.plainFlips.length === 0 ? 'none' : `${shape.plainFlips.length}, of these ${shape.confirmedFlips.length} confirmed`]);
+    [
+      'Distance to the input',
+      `${shape.mean_mm.toFixed(3)} mm mean, ${shape.p95_mm.toFixed(3)} mm p95, ${shape.hausdorff_mm.toFixed(2)} mm Hausdorff`,
+    ],
+    [
+      'Flipped triangles',
+      shape.plainFlips.length === 0
+        ? 'none'
+        : `${shape.plainFlips.length}, of these ${shape.confirmedFlips.length} confirmed`,
+    ],
+  );
   return facts;
 }

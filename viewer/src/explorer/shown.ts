@@ -1,5 +1,5 @@
 import type { Report } from '../model/report';
-import { landmarkDistances, rootMeanSquare } from '../model/shape_model';
+import { landmarkDistances, largest, rootMeanSquare } from '../model/shape_model';
 import { areaVectors, opposing } from '../model/surface';
 import { roundedUp } from './ramp';
 import type { Colouring, State } from './state';
@@ -27,12 +27,10 @@ export interface Shown {
   status: string;
 }
 
-const percentile = (values: number[], share: number) =>
-  values.sort((a, b) => a - b)[Math.min(values.length - 1, Math.floor(share * values.length))];
-
 /** Makes Shown of State; keeps what does not change. */
 export class Exhibitor {
   private readonly meanVectors: Float32Array;
+  private readonly strengths: Float32Array[];
   private readonly errorEnd: number;
   private readonly displacementEnd: number;
   private readonly shapeDisplacementEnd: number;
@@ -40,10 +38,12 @@ export class Exhibitor {
   constructor(private readonly report: Report) {
     const { model, shapes } = report;
     this.meanVectors = areaVectors(model.mean, model.triangles);
-    this.errorEnd = roundedUp(Math.max(...shapes.map((s) => Math.max(...s.errors))));
-    this.displacementEnd = model.modes > 0 ? roundedUp(2 * Math.max(...model.strengthOf(0))) : 1;
+    this.errorEnd = roundedUp(largest(shapes.map((s) => largest(s.errors))));
+    this.strengths = Array.from({ length: model.modes }, (_, m) => model.strengthOf(m));
+    this.displacementEnd = model.modes > 0 ? roundedUp(2 * largest(this.strengths[0])) : 1;
     this.shapeDisplacementEnd = roundedUp(
-      percentile(shapes.flatMap((s) => [...landmarkDistances(model.shapeOf(s.scores), model.mean)]), 0.99));
+      largest(shapes.map((s) => largest(landmarkDistances(model.shapeOf(s.scores), model.mean)))),
+    );
   }
 
   shown(state: State): Shown {
@@ -56,10 +56,13 @@ export class Exhibitor {
     const colouring = state.colouring.modes;
     const flipped = opposing(areaVectors(points, model.triangles), this.meanVectors);
     const moved = landmarkDistances(points, model.mean);
-    const values = colouring === 'strength' ? model.strengthOf(state.strengthMode) : moved;
+    const values = colouring === 'strength' ? this.strengths[state.strengthMode] : moved;
     const scale =
       colouring === 'strength'
-        ? { label: `how far 1 sd of mode ${state.strengthMode + 1} moves a landmark, mm`, end: roundedUp(Math.max(...values)) }
+        ? {
+            label: `how far 1 sd of mode ${state.strengthMode + 1} moves a landmark, mm`,
+            end: roundedUp(largest(values)),
+          }
         : { label: 'displacement from the mean, mm', end: this.displacementEnd };
     return {
       surfaces: [{ title: '', points, values: isScalar(colouring) ? values : null, flipped }],
@@ -68,8 +71,10 @@ export class Exhibitor {
       status: state.scores.every((score) => score === 0)
         ? 'The mean shape: all sliders stand at 0.'
         : `${scoresText(state.scores)}. Landmarks move by ${rootMeanSquare(moved).toFixed(1)} mm (root mean square), ` +
-          `${Math.max(...moved).toFixed(1)} mm at most. ` +
-          (flipped.length === 0 ? 'No triangle is turned against the mean.' : `${flipped.length} triangles are turned against the mean: no possible shape.`),
+          `${largest(moved).toFixed(1)} mm at most. ` +
+          (flipped.length === 0
+            ? 'No triangle is turned against the mean.'
+            : `${flipped.length} triangles are turned against the mean: no possible shape.`),
     };
   }
 
@@ -101,8 +106,9 @@ export class Exhibitor {
       ],
       colouring,
       scale: scalar ? scales[kind] : null,
-      status: `The fit misses ${shape.name} by ${rootMeanSquare(missed).toFixed(2)} mm (root mean square over landmarks), ` +
-        `${Math.max(...missed).toFixed(2)} mm at most. The model has seen this shape: all its modes fit it exactly.`,
+      status:
+        `The fit misses ${shape.name} by ${rootMeanSquare(missed).toFixed(2)} mm (root mean square over landmarks), ` +
+        `${largest(missed).toFixed(2)} mm at most. The model has seen this shape: all its modes fit it exactly.`,
     };
   }
 }
@@ -114,7 +120,11 @@ export function isScalar(colouring: Colouring): boolean {
 const shownScores = 4;
 
 function scoresText(scores: number[]): string {
-  const moved = scores.flatMap((s, m) => (s === 0 ? [] : [`mode ${m + 1} at ${s > 0 ? '+' : '−'}${Math.abs(s).toFixed(1)} sd`]));
-  const named = moved.slice(0, shownScores).join(', ') + (moved.length > shownScores ? ` and ${moved.length - shownScores} more` : '');
+  const moved = scores.flatMap((s, m) =>
+    s === 0 ? [] : [`mode ${m + 1} at ${s > 0 ? '+' : '−'}${Math.abs(s).toFixed(1)} sd`],
+  );
+  const named =
+    moved.slice(0, shownScores).join(', ') +
+    (moved.length > shownScores ? ` and ${moved.length - shownScores} more` : '');
   return named[0].toUpperCase() + named.slice(1);
 }

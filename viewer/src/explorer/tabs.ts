@@ -8,11 +8,20 @@ interface TabPage<Key extends string> {
 
 /** A row of tabs and their pages; arrow keys go from tab to tab. `follow` tells of changes from elsewhere. */
 export function tabs<Key extends string>(
-  pages: TabPage<Key>[], chosen: (key: Key) => void, follow: (listen: (key: Key) => void) => void): HTMLElement[] {
+  pages: TabPage<Key>[],
+  chosen: (key: Key) => void,
+  follow: (listen: (key: Key) => void) => void,
+): HTMLElement[] {
   const buttons = pages.map(({ key, title }) =>
-    element('button', { type: 'button', id: `tab-${key}`, role: 'tab', aria: { controls: `page-${key}` }, onclick: () => chosen(key) }, title));
+    element(
+      'button',
+      { type: 'button', id: `tab-${key}`, role: 'tab', aria: { controls: `page-${key}` }, onclick: () => chosen(key) },
+      title,
+    ),
+  );
   const bodies = pages.map(({ key, body }) =>
-    element('div', { id: `page-${key}`, role: 'tabpanel', aria: { labelledby: `tab-${key}` } }, body));
+    element('div', { id: `page-${key}`, role: 'tabpanel', aria: { labelledby: `tab-${key}` } }, body),
+  );
   const select = (key: Key) =>
     pages.forEach((page, i) => {
       const isChosen = page.key === key;

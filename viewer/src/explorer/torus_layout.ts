@@ -10,7 +10,8 @@ export class TorusLayout {
   readonly high: [number, number];
 
   constructor(private readonly torus: Torus) {
-    const first = torus.inPlane(1, 0), second = torus.inPlane(0, 1);
+    const first = torus.inPlane(1, 0),
+      second = torus.inPlane(0, 1);
     const across = Math.hypot(...first) >= Math.hypot(...second) ? first : second;
     const length = Math.hypot(...across);
     this.cosine = across[0] / length;
@@ -33,12 +34,14 @@ export class TorusLayout {
 
 /** The triangles with whole turns added so often that together they cover the domain. */
 export function copiesOverDomain(cornerTurns: Float32Array): { triangles: Uint32Array; turns: Float32Array } {
-  const triangles: number[] = [], turns: number[] = [];
+  const triangles: number[] = [],
+    turns: number[] = [];
   for (let t = 0; t < cornerTurns.length / 6; ++t) {
     const corners = cornerTurns.subarray(6 * t, 6 * t + 6);
     // Whole turns k for which the triangle's range [least, most] + k meets [0, 1].
     const [across, along] = [0, 1].map((c) => {
-      const least = Math.min(corners[c], corners[2 + c], corners[4 + c]), most = Math.max(corners[c], corners[2 + c], corners[4 + c]);
+      const least = Math.min(corners[c], corners[2 + c], corners[4 + c]),
+        most = Math.max(corners[c], corners[2 + c], corners[4 + c]);
       return [Math.ceil(-most), Math.floor(1 - least)];
     });
     for (let du = across[0]; du <= across[1]; ++du)

@@ -1,87 +1,115 @@
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, OrthographicCamera, Scene, WebGLRenderer } from 'three';
+import { BufferAttribute, OrthographicCamera, Scene, WebGLRenderer } from 'three';
 import type { Loop } from '../model/loop';
 import type { Report } from '../model/report';
+import { sheetOf } from '../model/sheet';
 import { element } from '../ui/element';
 import { svg } from '../ui/svg';
-import { SurfaceMaterial } from './material';
 import { loopColours } from './ramp';
+import { SheetMesh, sheetMaterials, type SheetMaterials } from './sheet_mesh';
 import type { Shown } from './shown';
 import type { State, Store } from './state';
-import { markFlipped, spread } from './surface_mesh';
 import { copiesOverDomain, TorusLayout } from './torus_layout';
 
 // Of the picture's larger side, on each side of the domain.
 const margin = 0.015;
-const mostPixelRatio = 2;
 
 /** The flat torus: the surface of the model spread out, in the same colours. */
 export class TorusView {
   readonly root = element('div', { class: 'torus' });
-  private readonly canvas = element('canvas', { role: 'img', aria: { label: 'The surface laid out on the flat torus, in the same colours' } });
+  private readonly canvas = element('canvas', {
+    role: 'img',
+    aria: { label: 'The surface laid out on the flat torus, coloured alike' },
+  });
   private readonly renderer: WebGLRenderer;
-  private readonly material: SurfaceMaterial;
+  private readonly materials: SheetMaterials;
+  private readonly mesh: SheetMesh;
   private readonly scene = new Scene();
   private readonly camera: OrthographicCamera;
   private readonly layout: TorusLayout;
-  private readonly cornerLandmarks: Uint32Array;
-  private readonly triangleCopies: Map<number, number[]>;
-  private readonly value: BufferAttribute;
-  private readonly flipped: BufferAttribute;
+  // Of each triangle of the model, those of the sheet.
+  private readonly copiesOf = new Map<number, number[]>();
   private readonly loops: SVGElement;
+  // What the mesh shows, and how sharp it was drawn: 0 if not yet.
+  private content: unknown[] = [];
+  private drawnAt = 0;
   private readonly mark = svg('circle', { class: 'torus-mark', r: 0.014 });
   private readonly box: { x: number; y: number; width: number; height: number };
 
-  constructor(private readonly report: Report, private readonly store: Store, cells: [number, number], private readonly redraw: () => void) {
+  constructor(
+    private readonly report: Report,
+    private readonly store: Store,
+    cells: [number, number],
+    private readonly redraw: () => void,
+  ) {
     const { torus, model } = report;
     this.layout = new TorusLayout(torus);
     const { low, high } = this.layout;
     const edge = margin * Math.max(high[0] - low[0], high[1] - low[1]);
-    this.box = { x: low[0] - edge, y: low[1] - edge, width: high[0] - low[0] + 2 * edge, height: high[1] - low[1] + 2 * edge };
+    this.box = {
+      x: low[0] - edge,
+      y: low[1] - edge,
+      width: high[0] - low[0] + 2 * edge,
+      height: high[1] - low[1] + 2 * edge,
+    };
 
     const copies = copiesOverDomain(torus.cornerTurns);
-    this.cornerLandmarks = new Uint32Array(3 * copies.triangles.length);
-    this.triangleCopies = new Map();
+    const cornerLandmarks = new Uint32Array(3 * copies.triangles.length);
     copies.triangles.forEach((t, i) => {
-      for (let k = 0; k < 3; ++k) this.cornerLandmarks[3 * i + k] = model.triangles[3 * t + k];
-      this.triangleCopies.set(t, [...(this.triangleCopies.get(t) ?? []), i]);
+      cornerLandmarks.set(model.triangles.subarray(3 * t, 3 * t + 3), 3 * i);
+      this.copiesOf.set(t, [...(this.copiesOf.get(t) ?? []), i]);
     });
-    const corners = this.cornerLandmarks.length;
-    const position = new Float32Array(3 * corners);
-    for (let i = 0; i < corners; ++i) position.set(this.layout.place(copies.turns[2 * i], copies.turns[2 * i + 1]), 3 * i);
-    this.value = new BufferAttribute(new Float32Array(corners), 1).setUsage(DynamicDrawUsage);
-    this.flipped = new BufferAttribute(new Float32Array(corners), 1).setUsage(DynamicDrawUsage);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(position, 3));
-    geometry.setAttribute('normal', new BufferAttribute(new Float32Array(3 * corners), 3));
-    geometry.setAttribute('value', this.value);
-    geometry.setAttribute('flipped', this.flipped);
-    geometry.setAttribute('turns', new BufferAttribute(copies.turns, 2));
+    const sheet = sheetOf(cornerLandmarks, copies.turns, torus.turns);
+    const places = new Float32Array(3 * sheet.landmarks.length);
+    for (let i = 0; i < sheet.landmarks.length; ++i)
+      places.set(this.layout.place(sheet.turns[2 * i], sheet.turns[2 * i + 1]), 3 * i);
+    this.materials = sheetMaterials('flat', cells);
+    this.mesh = new SheetMesh(sheet, this.materials, new BufferAttribute(places, 3), null);
+    this.scene.add(this.mesh);
 
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
-    this.material = new SurfaceMaterial('torus', cells);
-    this.scene.add(new Mesh(geometry, this.material));
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, alpha: true, preserveDrawingBuffer: true });
     const { x, y, width, height } = this.box;
     this.camera = new OrthographicCamera(x, x + width, y + height, y, -1, 1);
 
-    this.loops = svg('g', { 'clip-path': 'url(#torus-domain)' }, ...report.loops.map((loop, i) => this.loopPath(loop, loopColours[i % 2])));
+    this.loops = svg(
+      'g',
+      { 'clip-path': 'url(#torus-domain)' },
+      ...report.loops.map((loop, i) => this.loopPath(loop, loopColours[i % 2])),
+    );
     const outline = this.layout.corners.map((p) => this.inPicture(p).join(',')).join(' ');
-    this.root.append(this.canvas, svg('svg', { viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' },
-      svg('clipPath', { id: 'torus-domain' }, svg('polygon', { points: outline })),
-      svg('polygon', { points: outline, class: 'torus-outline' }), this.loops, this.mark));
+    this.root.append(
+      this.canvas,
+      svg(
+        'svg',
+        { viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true' },
+        svg('clipPath', { id: 'torus-domain' }, svg('polygon', { points: outline })),
+        svg('polygon', { points: outline, class: 'torus-outline' }),
+        this.loops,
+        this.mark,
+      ),
+    );
+    const percent = (p: [number, number]) => `${(100 * p[0]) / width}% ${(100 * p[1]) / height}%`;
+    this.canvas.style.clipPath = `polygon(${this.layout.corners.map((p) => percent(this.inPicture(p))).join(',')})`;
     this.root.style.aspectRatio = `${width} / ${height}`;
     this.listen();
     new ResizeObserver(() => this.resize()).observe(this.root);
   }
 
   show(shown: Shown, state: State): void {
-    const { triangles } = this.report.model;
-    const surface = shown.surfaces[0];
-    this.material.show(shown.colouring, shown.scale?.end ?? 1, state.edges);
-    if (surface.values) spread(this.value.array as Float32Array, 1, surface.values, this.cornerLandmarks);
-    const flipped = state.flips ? surface.flipped.filter((t) => 3 * t < triangles.length) : [];
-    markFlipped(this.flipped.array as Float32Array, flipped.flatMap((t) => this.triangleCopies.get(t) ?? []));
-    this.value.needsUpdate = this.flipped.needsUpdate = true;
     this.loops.setAttribute('visibility', state.loops ? 'visible' : 'hidden');
+    const { values, flipped } = shown.surfaces[0];
+    const content = [
+      shown.colouring,
+      shown.scale?.end,
+      values,
+      state.flips,
+      flipped.length === 0 ? 'none' : flipped,
+      state.edges,
+    ];
+    if (content.every((part, i) => part === this.content[i])) return;
+    this.content = content;
+    this.drawnAt = 0;
+    this.materials.surface.paint(shown.colouring, shown.scale?.end ?? 1, false);
+    this.mesh.show(values, state.flips ? flipped.flatMap((t) => this.copiesOf.get(t) ?? []) : [], state.edges);
   }
 
   placeMark(landmark: number | null): void {
@@ -94,12 +122,16 @@ export class TorusView {
     this.mark.setAttribute('cy', String(y));
   }
 
-  draw(): void {
+  /** Only what is new, or was less sharp before. */
+  draw(pixelRatio: number): void {
+    if (this.drawnAt >= pixelRatio) return;
+    this.drawnAt = pixelRatio;
+    this.renderer.setPixelRatio(pixelRatio);
     this.renderer.render(this.scene, this.camera);
   }
 
   private resize(): void {
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, mostPixelRatio));
+    this.drawnAt = 0;
     this.renderer.setSize(Math.max(1, this.root.clientWidth), Math.max(1, this.root.clientHeight), false);
     this.redraw();
   }
@@ -125,7 +157,16 @@ export class TorusView {
     const path: string[] = [];
     for (const du of [-2, -1, 0, 1, 2])
       for (const dv of [-2, -1, 0, 1, 2])
-        path.push('M' + walk.map(([u, v]) => this.inPicture(this.layout.place(u + du, v + dv)).map((x) => x.toFixed(4)).join(' ')).join('L'));
+        path.push(
+          'M' +
+            walk
+              .map(([u, v]) =>
+                this.inPicture(this.layout.place(u + du, v + dv))
+                  .map((x) => x.toFixed(4))
+                  .join(' '),
+              )
+              .join('L'),
+        );
     return svg('path', { d: path.join(''), stroke: colour, class: 'torus-loop' });
   }
 

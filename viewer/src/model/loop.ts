@@ -20,8 +20,7 @@ export class Loop {
     const curve = new Float32Array(size * this.length);
     for (let i = 0; i < this.length; ++i)
       for (let c = 0; c < size; ++c)
-        for (let k = 0; k < 3; ++k)
-          curve[size * i + c] += this.weights[3 * i + k] * valueOf(this.triangles[i], k, c);
+        for (let k = 0; k < 3; ++k) curve[size * i + c] += this.weights[3 * i + k] * valueOf(this.triangles[i], k, c);
     return curve;
   }
 }

@@ -51,6 +51,13 @@ export function landmarkDistances(a: Float32Array, b: Float32Array): Float32Arra
   return distances;
 }
 
+/** 0 if there are none. */
+export function largest(values: ArrayLike<number>): number {
+  let most = values.length > 0 ? -Infinity : 0;
+  for (let i = 0; i < values.length; ++i) most = Math.max(most, values[i]);
+  return most;
+}
+
 export function rootMeanSquare(values: Float32Array): number {
   let sum = 0;
   for (const v of values) sum += v * v;

@@ -4,9 +4,15 @@
 export function areaVectors(points: Float32Array, triangles: Uint32Array): Float32Array {
   const vectors = new Float32Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
-    const ux = points[b] - points[a], uy = points[b + 1] - points[a + 1], uz = points[b + 2] - points[a + 2];
-    const vx = points[c] - points[a], vy = points[c + 1] - points[a + 1], vz = points[c + 2] - points[a + 2];
+    const a = 3 * triangles[t],
+      b = 3 * triangles[t + 1],
+      c = 3 * triangles[t + 2];
+    const ux = points[b] - points[a],
+      uy = points[b + 1] - points[a + 1],
+      uz = points[b + 2] - points[a + 2];
+    const vx = points[c] - points[a],
+      vy = points[c + 1] - points[a + 1],
+      vz = points[c + 2] - points[a + 2];
     vectors[t] = uy * vz - uz * vy;
     vectors[t + 1] = uz * vx - ux * vz;
     vectors[t + 2] = ux * vy - uy * vx;
@@ -50,21 +56,41 @@ export interface SurfaceHit {
 }
 
 /** The first place where a ray meets the surface, on either side of it (Moeller and Trumbore 1997). */
-export function firstHit(points: Float32Array, triangles: Uint32Array, origin: number[], direction: number[]): SurfaceHit | null {
-  const [ox, oy, oz] = origin, [dx, dy, dz] = direction;
+export function firstHit(
+  points: Float32Array,
+  triangles: Uint32Array,
+  origin: number[],
+  direction: number[],
+): SurfaceHit | null {
+  const [ox, oy, oz] = origin,
+    [dx, dy, dz] = direction;
   let hit: SurfaceHit | null = null;
   for (let t = 0; t < triangles.length; t += 3) {
-    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
-    const ax = points[a], ay = points[a + 1], az = points[a + 2];
-    const ux = points[b] - ax, uy = points[b + 1] - ay, uz = points[b + 2] - az;
-    const vx = points[c] - ax, vy = points[c + 1] - ay, vz = points[c + 2] - az;
-    const px = dy * vz - dz * vy, py = dz * vx - dx * vz, pz = dx * vy - dy * vx;
+    const a = 3 * triangles[t],
+      b = 3 * triangles[t + 1],
+      c = 3 * triangles[t + 2];
+    const ax = points[a],
+      ay = points[a + 1],
+      az = points[a + 2];
+    const ux = points[b] - ax,
+      uy = points[b + 1] - ay,
+      uz = points[b + 2] - az;
+    const vx = points[c] - ax,
+      vy = points[c + 1] - ay,
+      vz = points[c + 2] - az;
+    const px = dy * vz - dz * vy,
+      py = dz * vx - dx * vz,
+      pz = dx * vy - dy * vx;
     const determinant = ux * px + uy * py + uz * pz;
     if (determinant === 0) continue;
-    const sx = ox - ax, sy = oy - ay, sz = oz - az;
+    const sx = ox - ax,
+      sy = oy - ay,
+      sz = oz - az;
     const u = (sx * px + sy * py + sz * pz) / determinant;
     if (u < 0 || u > 1) continue;
-    const qx = sy * uz - sz * uy, qy = sz * ux - sx * uz, qz = sx * uy - sy * ux;
+    const qx = sy * uz - sz * uy,
+      qy = sz * ux - sx * uz,
+      qz = sx * uy - sy * ux;
     const v = (dx * qx + dy * qy + dz * qz) / determinant;
     if (v < 0 || u + v > 1) continue;
     const at = (vx * qx + vy * qy + vz * qz) / determinant;

@@ -28,9 +28,11 @@ export class Torus {
 
   /** The landmark closest in the plane, across the borders of the domain too. */
   nearestLandmark(u: number, v: number): number {
-    let best = -1, least = Infinity;
+    let best = -1,
+      least = Infinity;
     for (let i = 0; i < this.turns.length / 2; ++i) {
-      const du = toNearestTurn(this.turns[2 * i] - u), dv = toNearestTurn(this.turns[2 * i + 1] - v);
+      const du = toNearestTurn(this.turns[2 * i] - u),
+        dv = toNearestTurn(this.turns[2 * i + 1] - v);
       const [x, y] = this.inPlane(du, dv);
       const squared = x * x + y * y;
       if (squared < least) [best, least] = [i, squared];

@@ -5,12 +5,26 @@ import { tableElement } from '../ui/table';
 
 /** By what the model was made, from what, and on which papers it rests. */
 export function provenance(data: ReportData, dataBytes: number): HTMLElement {
-  const papers = data.papers.rows.map(([citation, usedFor]) => element('li', {}, citation, element('small', {}, usedFor)));
-  return section('provenance', 'How it was made',
+  const papers = data.papers.rows.map(([citation, usedFor]) =>
+    element('li', {}, citation, element('small', {}, usedFor)),
+  );
+  return section(
+    'provenance',
+    'How it was made',
     element('pre', { class: 'command' }, data.made_by),
-    element('h3', {}, 'Papers it rests on'), element('ul', { class: 'papers' }, ...papers),
-    element('details', {}, element('summary', {}, `${data.inputs.rows.length} input files, with their checksums`), tableElement(data.inputs)),
+    element('h3', {}, 'Papers it rests on'),
+    element('ul', { class: 'papers' }, ...papers),
+    element(
+      'details',
+      {},
+      element('summary', {}, `${data.inputs.rows.length} input files, with their checksums`),
+      tableElement(data.inputs),
+    ),
     element('details', {}, element('summary', {}, 'All options'), tableElement(data.options)),
-    paragraph(`The interactive page of foramen ${data.foramen}. It holds ${(dataBytes / 1e6).toFixed(1)} MB of data (format ${data.format_version}) ` +
-      'and loads nothing from elsewhere.', 'note'));
+    paragraph(
+      `The interactive page of foramen ${data.foramen}. It holds ${(dataBytes / 1e6).toFixed(1)} MB of data (format ${data.format_version}) ` +
+        'and loads nothing from elsewhere.',
+      'note',
+    ),
+  );
 }

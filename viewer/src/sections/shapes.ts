@@ -4,18 +4,26 @@ import { section } from '../ui/section';
 import { tableElement } from '../ui/table';
 import { scoresPlot } from './scores_plot';
 
-/** Where the training shapes lie in the model and how well each is represented; both lead to the shape. */
+/** Where the training shapes lie in the model and how well each is represented; names and points lead to the shape. */
 export function shapes(report: Report, showShape: (shape: number) => void): HTMLElement {
-  const table = tableElement(report.data.shapes_table, (name) => {
+  const link = (name: string) => {
     const shape = report.shapes.findIndex((s) => s.name === name);
-    return element('button', { type: 'button', class: 'link', title: 'Show this shape', onclick: () => showShape(shape) }, name);
-  });
+    return element(
+      'button',
+      { type: 'button', class: 'link', title: 'Show this shape', onclick: () => showShape(shape) },
+      name,
+    );
+  };
   const scores = tableElement({
     title: 'Scores, in standard deviations',
     note: '',
     header: ['shape', ...report.model.varianceShares.map((_, m) => `mode ${m + 1}`)],
     rows: report.shapes.map((s) => [s.name, ...s.scores.map((score) => score.toFixed(2).replace('-', '−'))]),
   });
-  return section('shapes', 'The training shapes', element('div', { class: 'side-by-side' }, scoresPlot(report, showShape), table),
-    element('details', {}, element('summary', {}, 'All scores'), scores));
+  return section(
+    'shapes',
+    'The training shapes',
+    element('div', { class: 'side-by-side' }, scoresPlot(report, showShape), scores),
+    tableElement(report.data.shapes_table, link),
+  );
 }

@@ -5,12 +5,28 @@ import { tableElement } from '../ui/table';
 
 /** What the model is in plain words, its first figures, and what was left out and why. */
 export function summary(data: ReportData): HTMLElement {
-  const statements = data.plain_words.map(({ heading, text }) => element('div', { class: 'statement' }, element('h3', {}, heading), paragraph(text)));
-  const leftOut = data.left_out.rows.length === 0
-    ? [paragraph('Nothing was left out: every input is in the model.')] : [tableElement(data.left_out)];
-  const [repaired, failures] = [data.repaired, data.refit_failures].map((table) => table.rows.length === 0 ? [] : [tableElement(table)]);
-  return section('summary', 'In plain words', element('div', { class: 'statements' }, ...statements),
-    element('h3', {}, 'Left out'), ...leftOut, ...(repaired ?? []), ...(failures ?? []),
-    element('details', {}, element('summary', {}, 'The figures of the run'),
-      element('ul', { class: 'findings' }, ...data.findings.map((text) => element('li', {}, text)))));
+  const statements = data.plain_words.map(({ heading, text }) =>
+    element('div', { class: 'statement' }, element('h3', {}, heading), paragraph(text)),
+  );
+  const leftOut =
+    data.left_out.rows.length === 0
+      ? [paragraph('Nothing was left out: every input is in the model.')]
+      : [tableElement(data.left_out)];
+  const repaired = data.repaired.rows.length === 0 ? [] : [tableElement(data.repaired)];
+  const failures = data.refit_failures.rows.length === 0 ? [] : [tableElement(data.refit_failures)];
+  return section(
+    'summary',
+    'In plain words',
+    element('div', { class: 'statements' }, ...statements),
+    element('h3', {}, 'Left out'),
+    ...leftOut,
+    ...repaired,
+    ...failures,
+    element(
+      'details',
+      {},
+      element('summary', {}, 'The figures of the run'),
+      element('ul', { class: 'findings' }, ...data.findings.map((text) => element('li', {}, text))),
+    ),
+  );
 }

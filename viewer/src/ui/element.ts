@@ -1,4 +1,6 @@
-type Properties<K extends keyof HTMLElementTagNameMap> = Partial<Omit<HTMLElementTagNameMap[K], 'style' | 'dataset' | 'role'>> & {
+type Properties<K extends keyof HTMLElementTagNameMap> = Partial<
+  Omit<HTMLElementTagNameMap[K], 'style' | 'dataset' | 'role'>
+> & {
   class?: string;
   role?: string;
   aria?: Record<string, string>;
@@ -7,7 +9,10 @@ type Properties<K extends keyof HTMLElementTagNameMap> = Partial<Omit<HTMLElemen
 
 /** An HTML element with its properties and children. Text is text, never markup. */
 export function element<K extends keyof HTMLElementTagNameMap>(
-  tag: K, properties: Properties<K> = {}, ...children: (Node | string)[]): HTMLElementTagNameMap[K] {
+  tag: K,
+  properties: Properties<K> = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
   const { class: className, role, aria, data, ...rest } = properties;
   const made = document.createElement(tag);
   Object.assign(made, rest);

@@ -2,7 +2,12 @@ import { element } from './element';
 
 /** A titled part of the page. */
 export function section(id: string, title: string, ...children: (Node | string)[]): HTMLElement {
-  return element('section', { id, aria: { labelledby: `${id}-title` } }, element('h2', { id: `${id}-title` }, title), ...children);
+  return element(
+    'section',
+    { id, aria: { labelledby: `${id}-title` } },
+    element('h2', { id: `${id}-title` }, title),
+    ...children,
+  );
 }
 
 export function paragraph(text: string, className = ''): HTMLElement {

@@ -6,12 +6,37 @@ const proseLength = 40;
 
 /** A table of the report. `first` may make the first cell of a row something else than text. */
 export function tableElement(table: Table, first?: (text: string, row: number) => Node | string): HTMLElement {
-  const head = element('thead', {}, element('tr', {}, ...table.header.map((text) => element('th', { scope: 'col' }, text))));
-  const body = element('tbody', {}, ...table.rows.map((row, r) => element('tr', {}, ...row.map((text, c) => {
-    const content = c === 0 && first ? first(text, r) : text;
-    return c === 0 ? element('th', { scope: 'row' }, content) : element('td', { class: text.length > proseLength ? 'prose' : '' }, content);
-  }))));
+  const head = element(
+    'thead',
+    {},
+    element('tr', {}, ...table.header.map((text) => element('th', { scope: 'col' }, text))),
+  );
+  const body = element(
+    'tbody',
+    {},
+    ...table.rows.map((row, r) =>
+      element(
+        'tr',
+        {},
+        ...row.map((text, c) => {
+          const content = c === 0 && first ? first(text, r) : text;
+          return c === 0
+            ? element('th', { scope: 'row' }, content)
+            : element('td', { class: text.length > proseLength ? 'prose' : '' }, content);
+        }),
+      ),
+    ),
+  );
   const note = table.note ? [element('p', { class: 'note' }, table.note)] : [];
-  return element('figure', { class: 'table' }, element('figcaption', {}, table.title), ...note,
-    element('div', { class: 'scroll', tabIndex: 0, role: 'region', aria: { label: table.title } }, element('table', {}, head, body)));
+  return element(
+    'figure',
+    { class: 'table' },
+    element('figcaption', {}, table.title),
+    ...note,
+    element(
+      'div',
+      { class: 'scroll', tabIndex: 0, role: 'region', aria: { label: table.title } },
+      element('table', {}, head, body),
+    ),
+  );
 }
