@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "cli/bad_input/bad_shapes.hpp"
 #include "foramen/evaluate/evaluate_model.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
@@ -13,6 +14,9 @@
 #include "foramen/pipeline/metrics_file.hpp"
 #include "io/malformed_meshes.hpp"
 #include "io/mesh_bytes.hpp"
+#include "soup_bytes.hpp"
+#include "support/handles.hpp"
+#include "support/label_maps.hpp"
 #include "support/meshes.hpp"
 #include "support/torus_cohort.hpp"
 
@@ -98,6 +102,39 @@ void write_models(const fs::path& folder) {
   write_file(folder / "metrics.json", metrics_json(evaluate_model(cohort, options, RunContext(1))));
 }
 
+void write_soups(const fs::path& folder) {
+  const auto write = [&](const std::string& name, const TriangleSoup& soup) {
+    if (soup.points.size() < 256) write_file(folder / name, fuzzing::soup_bytes(soup));
+  };
+  for (const auto& [name, surface] : testing::unusable_surfaces()) write(name, surface.first);
+  write("torus", testing::torus_soup(8, 6));
+  write("plate", testing::plate(1));
+  testing::TorusWithHandles handles(14, 8);
+  handles.drill(2, 1);
+  handles.bridge(6, 8, 1, 4);
+  write("handles", handles.soup);
+}
+
+void write_label_maps(const fs::path& folder) {
+  const auto torus_at = [](const Vec3& p) { return testing::bumpy_torus(p) < 0 ? 20 : p.z() > 6 ? 3 : 0; };
+  const LabelMap torus = testing::labelled_lattice({12, 12, 6}, 4 * Mat3::Identity(), torus_at);
+  int next = 0;
+  const LabelMap mixed =
+      testing::labelled_lattice({3, 2, 4}, 2 * Mat3::Identity(), [&](const Vec3&) { return next++ % 5; });
+  for (const auto& [name, map] : {std::pair<std::string, LabelMap>("torus", torus), {"mixed", mixed}}) {
+    const std::string voxels = testing::voxel_bytes<std::uint16_t>(map);
+    const std::string nrrd = testing::nrrd_header(map), meta = testing::meta_header(map);
+    write_file(folder / (name + ".nii"), testing::nifti_bytes(map));
+    write_file(folder / (name + "_float.nii"), testing::nifti_bytes<float>(map, 16, true));
+    write_file(folder / (name + ".nii.gz"), testing::packed(testing::nifti_bytes(map)));
+    write_file(folder / (name + ".nrrd"), nrrd + "encoding: raw\n\n" + voxels);
+    write_file(folder / (name + "_gzip.nrrd"), nrrd + "encoding: gzip\n\n" + testing::packed(voxels));
+    write_file(folder / (name + ".mha"), meta + "ElementDataFile = LOCAL\n" + voxels);
+    write_file(folder / (name + "_zlib.mha"),
+               meta + "CompressedData = True\nElementDataFile = LOCAL\n" + testing::packed(voxels, false));
+  }
+}
+
 }  // namespace
 }  // namespace foramen
 
@@ -108,9 +145,12 @@ int main(int argc, char** argv) {
   }
   try {
     const std::filesystem::path folder = argv[1];
-    for (const char* target : {"mesh", "model"}) std::filesystem::create_directories(folder / target);
+    for (const char* target : {"mesh", "model", "repair", "label"})
+      std::filesystem::create_directories(folder / target);
     foramen::write_meshes(folder / "mesh");
     foramen::write_models(folder / "model");
+    foramen::write_soups(folder / "repair");
+    foramen::write_label_maps(folder / "label");
     return 0;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "make_corpus: %s\n", e.what());

@@ -1,4 +1,5 @@
 #include "build_options.hpp"
+#include "foramen/core/error.hpp"
 #include "foramen/pipeline/run_build.hpp"
 #include "label_options.hpp"
 #include "repair_options.hpp"
@@ -38,7 +39,12 @@ int build(const BuildCommand& command) {
   request.resume = command.resume;
   request.subject_pattern = command.flags.subject_pattern;
   request.canonical_command = command.console.command;
-  return finish_build(request, command.console, command.strict);
+  try {
+    return finish_build(request, command.console, command.strict);
+  } catch (const Cancelled&) {
+    command.console.warn("the same command with --resume goes on from here");
+    throw;
+  }
 }
 
 }  // namespace

@@ -11,11 +11,17 @@
 namespace foramen::app {
 namespace {
 
-// The one context that Ctrl-C stops; set before the signal handler is.
+// The one context of the program, which Ctrl-C stops; set before the signal handler is, and never again.
 std::optional<RunContext> interruptible;
 
-extern "C" void on_interrupt(int) {
-  if (interruptible) interruptible->request_stop();
+extern "C" void on_interrupt(int) { interruptible->request_stop(); }
+
+// A second Ctrl-C ends the program at once, as if there were no handler.
+void stop_on(int signal) {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;
+  sigaction(signal, &action, nullptr);
 }
 
 // Shows progress: redraws one line on a terminal, prints a line a stage (and every quarter of a long one)
@@ -50,14 +56,15 @@ class ProgressPrinter {
 }  // namespace
 
 RunContext Console::context() const {
+  if (interruptible) return *interruptible;
   RunContext::Callback callback;
   if (!quiet && !json) {
     auto printer = std::make_shared<ProgressPrinter>();
     callback = [printer](const Progress& p) { printer->show(p); };
   }
   interruptible = RunContext(threads, std::move(callback));
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  stop_on(SIGINT);
+  stop_on(SIGTERM);
   return *interruptible;
 }
 

@@ -56,12 +56,10 @@ class Refit {
   }
 
   RefitGeneralization run() {
-    ctx_.step("refit", 0);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const double fraction = static_cast<double>(g) / static_cast<double>(groups_.size());
-      // The stages of the builds would be told as if the whole began anew; a stop request passes all the
-      // same.
-      const RunContext inner(ctx_.threads(), [&](const Progress&) { ctx_.step("refit", fraction); });
+      ctx_.step("refit", static_cast<double>(g) / static_cast<double>(groups_.size()));
+      // The stages of the builds would be told, and kept, as if the whole began anew.
+      const RunContext inner = ctx_.without_progress().with_store(nullptr, {});
       const std::string of = measure_.leave_out == LeaveOut::shape ? "shape " : "subject ";
       refitted_.push_back(kept<RefittedGroup>(ctx_, "refit without " + of + std::to_string(g),
                                               [&] { return leave_out(g, inner); }));

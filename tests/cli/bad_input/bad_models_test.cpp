@@ -124,7 +124,7 @@ TEST_F(BadModels, ThatClaimMoreThanTheyHold) {
     bytes.replace(at, 8, size(std::uint64_t{1} << 32));
   ASSERT_GT(changed, 0);
   const fs::path model = broken("model.h5", bytes);
-  const Outcome refused = testing::run_shell("ulimit -v 3000000; " FORAMEN_PROGRAM " sample " +
+  const Outcome refused = testing::run_shell(testing::in_three_gigabytes + FORAMEN_PROGRAM " sample " +
                                              model.string() + " -o " + scratch_.file("out").string());
   EXPECT_EQ(refused.code, 1) << refused.output;
   EXPECT_THAT(refused.output, HasSubstr("model.h5: "));

@@ -19,16 +19,15 @@ using testing::Outcome;
 using testing::run_shell;
 using testing::TemporaryFolder;
 
-// Far less than any of the headers claim: memory is taken for what is there only.
-const std::string in_three_gigabytes = "ulimit -v 3000000; " FORAMEN_PROGRAM " build --threads 1 --quiet ";
-
 class BadShapeAlone : public ::testing::TestWithParam<BadShape> {};
 
 TEST_P(BadShapeAlone, IsRefusedWithTheReasonAndNothingIsWritten) {
   const TemporaryFolder folder;
   const BadShape& bad = GetParam();
   const fs::path file = folder.file(bad.file_name, bad.bytes);
-  const Outcome refused = run_shell(in_three_gigabytes + file.string() + " -o " + folder.file("m").string());
+  const Outcome refused =
+      run_shell(testing::in_three_gigabytes + FORAMEN_PROGRAM " build --threads 1 --quiet " + file.string() +
+                " -o " + folder.file("m").string());
   EXPECT_EQ(refused.code, 1) << refused.output;
   EXPECT_THAT(refused.output, HasSubstr("left out " + bad.file_name + ": " + file.string() + ": "));
   EXPECT_THAT(refused.output, HasSubstr(bad.message));
