@@ -48,6 +48,7 @@ class LabelReader {
   template <class T>
   std::vector<std::uint16_t> read_as() {
     std::vector<std::uint16_t> labels;
+    if (layout_.packing == ByteStream::Packing::none) labels.reserve(static_cast<std::size_t>(count_));
     std::vector<char> bytes(chunk_voxels * sizeof(T));
     while (std::ssize(labels) < count_) {
       const std::size_t wanted =

@@ -107,7 +107,11 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
     throw InvalidInput(message);
   }
 
-  fs::create_directories(request.output);
+  std::error_code failed;
+  fs::create_directories(request.output, failed);
+  if (failed || !fs::is_directory(request.output))
+    throw IoError(request.output.string() + ": cannot be made a folder (" + failed.message() +
+                  "); give another with -o");
   for (const ReadLabelMap& map : all)
     for (const LabelSurface& label : map.labels.surfaces)
       write_ply(request.output / (label.stem + ".ply"), label.extracted.surface);

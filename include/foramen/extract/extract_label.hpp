@@ -63,12 +63,13 @@ struct ExtractedSurface {
 /// 1, as apart (6; 18 outside); of both surfaces the one whose genus is nearer to 1 is returned (the first of
 /// equals).
 ///
-/// The surface is that of marching cubes with a vertex in the middle of every face between inside and
-/// outside, closed and manifold for any voxels. Its steps are smoothed away by rounds of gradient descent on
-/// the bending energy sum_i |u_i|^2, u_i the mean of vertex i's neighbours minus the vertex, after each of
-/// which vertices are put back into their ball (bound_voxels); then it is moved along its normals until it
-/// encloses the volume of the voxels; and where it meets itself, vertices are moved back towards where they
-/// began. The result does not depend on the order and direction in which the map stores its axes.
+/// The surface is that of marching cubes \cite lorensen1987 with a vertex in the middle of every face between
+/// inside and outside, closed and manifold for any voxels. Its steps are smoothed away by rounds of gradient
+/// descent on the bending energy sum_i |u_i|^2, u_i the mean of vertex i's neighbours minus the vertex, after
+/// each of which vertices are put back into their ball (bound_voxels, after \cite gibson1998); then it is
+/// moved along its normals until it encloses the volume of the voxels; and where it meets itself, vertices
+/// are moved back towards where they began. The result does not depend on the order and direction in which
+/// the map stores its axes.
 ///
 /// \param extent  of that label, by find_labels()
 ///
