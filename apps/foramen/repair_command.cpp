@@ -63,7 +63,8 @@ int repair(const RepairCommand& command) {
   MeshFile file = read_mesh(command.input);
   const RepairedMesh repaired = [&] {
     try {
-      return repair_surface(std::move(file.soup), command.unit, command.repair, command.console.context().without_progress());
+      return repair_surface(std::move(file.soup), command.unit, command.repair,
+                            command.console.context().without_progress());
     } catch (const InvalidInput& e) {
       throw InvalidInput(command.input + ": " + e.what());
     }
