@@ -4,14 +4,52 @@
 
 #include "command.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "foramen/pipeline/repair_record.hpp"
+#include "foramen/repair/remove_handles.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 
 namespace foramen::app {
 namespace {
 
 using nlohmann::ordered_json;
+
+bool is_in_millimetres(const MeshReport& r) {
+  return r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm;
+}
+
+// Of a surface that has more than the canal; empty where they cannot be told.
+std::optional<SurfaceHandles> handles_of(const TriangleSoup& soup, const MeshReport& r,
+                                         const Console& console) {
+  if (r.genus.value_or(0) < 2 || *r.genus > RemoveHandlesOptions().most_handles || !is_in_millimetres(r) ||
+      r.duplicate_triangles + r.unused_vertices + r.invalid_triangles + r.non_finite_vertices > 0)
+    return std::nullopt;
+  const Mesh mesh = build_mesh(soup);
+  try {
+    return find_handles(r.inward ? reversed(mesh) : mesh, console.context().without_progress());
+  } catch (const ConvergenceError&) {
+    return std::nullopt;  // it runs through itself there
+  }
+}
+
+ordered_json as_json(const SurfaceHandles& handles) {
+  ordered_json extra = ordered_json::array();
+  for (const Handle& h : handles.extra) {
+    extra.push_back(handle_json(h));
+    extra.back()["noise"] = is_noise(h, {});
+  }
+  return {{"extra", extra}, {"canal", handle_json(handles.canal)}};
+}
+
+void print(const SurfaceHandles& handles) {
+  for (const Handle& h : handles.extra)
+    std::cout << "  beside the canal: " << description(h)
+              << (is_noise(h, {}) ? ": noise, which `foramen repair` removes" : ": too large for noise")
+              << '\n';
+  std::cout << "  the canal: " << description(handles.canal) << '\n';
+}
 
 ordered_json as_json(const std::string& file, const MeshReport& r,
                      const std::optional<AnatomicalSpace>& space) {
@@ -46,10 +84,9 @@ ordered_json as_json(const std::string& file, const MeshReport& r,
       {"mean_edge", r.mean_edge}};
   if (space) out["space"] = *space == AnatomicalSpace::lps ? "LPS" : "RAS";
   const auto likely = likely_unit(r.box.diagonal());
-  const bool plausible = r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm;
-  out["likely_units"] = plausible ? ordered_json("mm")
-                        : likely  ? ordered_json(name(*likely))
-                                  : ordered_json();
+  out["likely_units"] = is_in_millimetres(r) ? ordered_json("mm")
+                        : likely             ? ordered_json(name(*likely))
+                                             : ordered_json();
   if (obstacle) {
     out["finding"] = obstacle->finding;
     out["remedy"] = obstacle->remedy;
@@ -70,7 +107,7 @@ void print(const std::string& file, const MeshReport& r) {
             << r.duplicate_triangles << ", duplicate vertices " << r.duplicate_vertices << '\n';
   const Vec3 size = r.box.high - r.box.low;
   std::cout << "  size " << size.x() << " x " << size.y() << " x " << size.z();
-  if (r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm)
+  if (is_in_millimetres(r))
     std::cout << " (mm)";
   else if (const auto likely = likely_unit(r.box.diagonal()))
     std::cout << " (not mm; probably " << name(*likely) << ")";
@@ -95,10 +132,16 @@ int inspect(const InspectOptions& options) {
     try {
       const MeshFile read = read_mesh(file);
       const MeshReport report = inspect_mesh(read.soup);
-      if (options.console.json)
+      std::optional<SurfaceHandles> handles;
+      if (options.console.json || !options.console.quiet)
+        handles = handles_of(read.soup, report, options.console);
+      if (options.console.json) {
         all.push_back(as_json(file, report, read.space));
-      else if (!options.console.quiet)
+        if (handles) all.back()["handles"] = as_json(*handles);
+      } else if (!options.console.quiet) {
         print(file, report);
+        if (handles) print(*handles);
+      }
       refused_any |= obstacle_to_model(report).has_value();
     } catch (const Error& e) {
       refused_any = true;

@@ -8,7 +8,7 @@ namespace foramen::repair_detail {
 namespace {
 
 // Boxes of a triangle that others meet; a clean surface has about ten.
-constexpr int most_overlaps_per_triangle = 500;
+constexpr int most_overlaps_per_triangle = 100;
 
 }  // namespace
 

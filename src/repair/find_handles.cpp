@@ -15,6 +15,10 @@ namespace foramen {
 namespace repair_detail {
 namespace {
 
+// Basepoints tried for the shortest loop. Vertebrae need a few hundred; a surface whose loops are all alike, all of its
+// vertices.
+constexpr int most_basepoints = 10000;
+
 // A loop of a genus-1 surface that bounds inside: the combination of the two loops that links with none
 // lifted.
 EdgeLoop arch_loop(const Mesh& mesh) {
@@ -44,7 +48,7 @@ EdgeLoop arch_loop(const Mesh& mesh) {
 FoundHandle shortest_handle(const Mesh& mesh, const RunContext& ctx) {
   const EdgeMap<double> lengths = edge_lengths(mesh);
   FoundHandle found;
-  found.loop = shortest_loop(mesh, lengths, ctx);
+  found.loop = shortest_loop(mesh, lengths, ctx, {.evaluation_limit = most_basepoints});
   found.crossing = shortest_crossing_loop(mesh, found.loop, lengths);
   found.handle.kind = loop_kind(mesh, found.loop);
   if (found.handle.kind == LoopKind::neither) {

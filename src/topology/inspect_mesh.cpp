@@ -165,13 +165,12 @@ Obstacle genus_obstacle(int genus) {
             "look at the canal in the segmentation: reopen it if it is filled or capped, and close the arch "
             "behind it if "
             "the arch is broken or cut off"};
-  return {"genus " + std::to_string(genus) + ": " + std::to_string(genus) +
-              " holes pass through the surface where only the vertebral canal should",
-          "if this is a cervical vertebra with open foramina transversaria, its kind is not supported; "
-          "otherwise bone that "
-          "only seems to touch (facet joints, thin bridges) or tunnels of noise make the extra holes: cut "
-          "the bridges and "
-          "fill the tunnels in the segmentation or in a mesh editor"};
+  return {
+      "genus " + std::to_string(genus) + ": " + std::to_string(genus) +
+          " holes pass through the surface where only the vertebral canal should",
+      "if this is a cervical vertebra with open foramina transversaria, its kind is not supported; "
+      "otherwise run `foramen repair` (or build with --repair), which cuts thin bridges and fills tunnels of "
+      "noise; larger ones must be mended in the segmentation or in a mesh editor"};
 }
 
 // Whether every triangle can be used at all.
@@ -191,36 +190,35 @@ std::optional<Obstacle> unusable_elements(const MeshReport& r) {
 
 std::optional<Obstacle> not_one_surface(const MeshReport& r) {
   if (r.components > 1)
-    return Obstacle{
-        "it consists of " + std::to_string(r.components) + " separate pieces",
-        "keep the largest piece: delete islands and inner cavities in the segmentation or in a mesh editor "
-        "(e.g. MeshLab: Remove Isolated Pieces)"};
+    return Obstacle{"it consists of " + std::to_string(r.components) + " separate pieces",
+                    "run `foramen repair` (or build with --repair), which keeps the largest piece, or delete "
+                    "islands and inner "
+                    "cavities in the segmentation"};
   if (r.duplicate_triangles > 0)
     return Obstacle{counted(r.duplicate_triangles, "triangle is", "triangles are") + " there twice",
-                    "remove duplicate faces in a mesh editor"};
+                    "run `foramen repair` (or build with --repair)"};
   if (r.non_manifold_edges > 0)
-    return Obstacle{counted(r.non_manifold_edges, "edge belongs", "edges belong") +
-                        " to more than two triangles (not a manifold surface)",
-                    "remove inner walls and faces at such edges in a mesh editor (e.g. MeshLab: Repair non "
-                    "Manifold Edges) "
-                    "and close the holes that this leaves"};
+    return Obstacle{
+        counted(r.non_manifold_edges, "edge belongs", "edges belong") +
+            " to more than two triangles (not a manifold surface)",
+        "run `foramen repair` (or build with --repair), which drops flaps and inner walls, or remove the "
+        "faces at such edges in a mesh editor and close the holes that this leaves"};
   if (r.non_manifold_vertices > 0)
     return Obstacle{counted(r.non_manifold_vertices, "vertex joins", "vertices join") +
                         " parts of the surface that touch in that point alone (not a manifold surface)",
-                    "split such vertices in a mesh editor (e.g. MeshLab: Repair non Manifold Vertices)"};
+                    "run `foramen repair` (or build with --repair), which parts them"};
   if (r.boundary_edges > 0)
-    return Obstacle{
-        "it is open: " + counted(r.boundary_edges, "boundary edge", "boundary edges"),
-        "close the holes in a mesh editor (e.g. MeshLab: Close Holes); if the bone is cut off at the edge of "
-        "the scan, this shape cannot be used"};
+    return Obstacle{"it is open: " + counted(r.boundary_edges, "boundary edge", "boundary edges"),
+                    "run `foramen repair` (or build with --repair), which fills small holes; if the bone is "
+                    "cut off at the edge "
+                    "of the scan, this shape cannot be used"};
   if (r.misoriented_edges > 0)
-    return Obstacle{
-        "its triangles are not all wound the same way (" + counted(r.misoriented_edges, "edge", "edges") +
-            " between opposite ones)",
-        "orient all faces coherently in a mesh editor (e.g. MeshLab: Re-Orient all Faces Coherently)"};
+    return Obstacle{"its triangles are not all wound the same way (" +
+                        counted(r.misoriented_edges, "edge", "edges") + " between opposite ones)",
+                    "run `foramen repair` (or build with --repair), which winds them alike"};
   if (r.unused_vertices > 0)
     return Obstacle{counted(r.unused_vertices, "vertex belongs", "vertices belong") + " to no triangle",
-                    "remove unreferenced vertices in a mesh editor"};
+                    "run `foramen repair` (or build with --repair)"};
   return std::nullopt;
 }
 

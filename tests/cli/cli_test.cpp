@@ -11,6 +11,7 @@
 #include "cli/program.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/sha256.hpp"
+#include "support/handles.hpp"
 #include "support/label_maps.hpp"
 #include "support/meshes.hpp"
 #include "support/real_data.hpp"
@@ -229,6 +230,78 @@ TEST_F(Cli, ABadShapeIsLeftOutAndNamedAndStrictRefuses) {
   EXPECT_THAT(lenient.output, HasSubstr("left out open.ply"));
   EXPECT_THAT(lenient.output, HasSubstr("left out empty.ply"));
   EXPECT_EQ(run(arguments + " --strict").code, 1);
+}
+
+// A torus of genus 2 that repair can mend, and what cannot be mended.
+TriangleSoup bridged() {
+  testing::TorusWithHandles torus(120, 60);
+  torus.bridge(10, 20, 14);
+  torus.shake(0.01, 1);
+  return torus.soup;
+}
+
+TEST_F(Cli, RepairWritesWhatItMendedAndListsIt) {
+  const fs::path raw = folder() / "bridged.ply", out = folder() / "mended.ply";
+  write_ply(raw, bridged(), AnatomicalSpace::ras);
+  const Outcome inspected = run("inspect " + raw.string());
+  EXPECT_EQ(inspected.code, 1);
+  EXPECT_THAT(inspected.output, HasSubstr("beside the canal: bridge"));
+  EXPECT_THAT(inspected.output, HasSubstr("foramen repair"));
+
+  const Outcome mended = run("repair " + raw.string() + " -o " + out.string());
+  EXPECT_EQ(mended.code, 0) << mended.output;
+  EXPECT_THAT(mended.output, HasSubstr("cut a bridge"));
+  EXPECT_EQ(read_mesh(out).space, AnatomicalSpace::ras);
+  EXPECT_EQ(run("inspect --quiet " + out.string()).code, 0);
+
+  const auto report =
+      nlohmann::json::parse(run("repair --json " + raw.string() + " -o " + out.string()).output);
+  EXPECT_EQ(report.at("changes").at(0).at("change"), "bridges cut");
+  const TriangleSoup before = read_mesh(raw).soup, after = read_mesh(out).soup;
+  ASSERT_EQ(report.at("origin").size(), after.points.size());
+  for (std::size_t v = 0; v < after.points.size(); ++v)
+    if (const int was = report.at("origin").at(v); was >= 0) {
+      EXPECT_EQ(after.points[v], before.points[static_cast<std::size_t>(was)]);
+    }
+
+  const Outcome again = run("repair " + out.string() + " -o " + (folder() / "again.ply").string());
+  EXPECT_THAT(again.output, HasSubstr("nothing to mend"));
+  EXPECT_EQ(bytes_of(folder() / "again.ply"), bytes_of(out));
+}
+
+TEST_F(Cli, RepairRefusesAndLeavesNoFile) {
+  const fs::path sphere = folder() / "sphere.ply", out = folder() / "none.ply";
+  write_ply(sphere,
+            {{{20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, -20, 0}, {0, 0, 20}, {0, 0, -20}},
+             {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}});
+  const Outcome refused = run("repair " + sphere.string() + " -o " + out.string());
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.output, HasSubstr("sphere.ply: genus 0"));
+  EXPECT_THAT(refused.output, HasSubstr("arch is open"));
+  EXPECT_FALSE(fs::exists(out));
+  EXPECT_THAT(run("repair " + sphere.string() + " -o " + (folder() / "out.xyz").string()).output,
+              HasSubstr(".ply or .vtp"));
+  EXPECT_EQ(run("repair " + sphere.string()).code, 2);
+  EXPECT_EQ(run("build x -o y --handle-limit 20").code, 2) << "of no effect without --repair";
+}
+
+TEST_F(Cli, BuildRepairsWhatItWouldLeaveOutAndSaysSo) {
+  const fs::path mixed = folder() / "to_repair", model = folder() / "repaired";
+  fs::create_directories(mixed);
+  fs::copy(synth() / "shapes", mixed);
+  TriangleSoup holed = read_mesh(mixed / "synth001.ply").soup;
+  holed.triangles.resize(holed.triangles.size() - 1);
+  write_ply(mixed / "synth001.ply", holed);
+  const std::string arguments =
+      "build --method icp --landmarks 400 --samples 5 " + mixed.string() + " -o " + model.string();
+  EXPECT_THAT(run(arguments).output, HasSubstr("left out synth001.ply"));
+  const Outcome repaired = run(arguments + " --repair --strict");
+  EXPECT_EQ(repaired.code, 0) << repaired.output;
+  EXPECT_THAT(repaired.output, HasSubstr("synth001.ply: repaired: holes filled: 1 at ("));
+  const auto record = nlohmann::json::parse(bytes_of(model / "run.json"));
+  EXPECT_EQ(record.at("shapes").at(0).at("repair").at("changes").at(0).at("change"), "holes filled");
+  EXPECT_THAT(record.at("command").get<std::string>(), HasSubstr("--repair"));
+  EXPECT_THAT(bytes_of(model / "report.html"), HasSubstr("measured to the repaired surface"));
 }
 
 TEST_F(Cli, FewerThanThreeShapesAreRefused) {

@@ -52,6 +52,18 @@ TEST(ParallelFor, GivesTheErrorOfAnItemAndStopsOnRequest) {
   }
 }
 
+TEST(RunContext, WithoutProgressStillStops) {
+  int reports = 0;
+  const RunContext ctx(1, [&](const Progress&) { ++reports; });
+  const RunContext silent = ctx.without_progress();
+  silent.step("part", 0.5);
+  EXPECT_EQ(reports, 0);
+  ctx.step("whole", 0.5);
+  EXPECT_EQ(reports, 1);
+  ctx.request_stop();
+  EXPECT_THROW(silent.step("part", 1), Cancelled);
+}
+
 TEST(Units, LikelyUnitOfAVertebra) {
   EXPECT_EQ(likely_unit(100), std::nullopt);
   EXPECT_EQ(likely_unit(0.1), LengthUnit::metre);

@@ -3,10 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/pipeline/repair_record.hpp"
 #include "foramen/pipeline/run_build.hpp"
+#include "support/handles.hpp"
 #include "support/meshes.hpp"
+#include "support/real_data.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {
@@ -81,6 +88,72 @@ TEST(ReadCohort, OneBadFileIsLeftOutWithItsReason) {
   ASSERT_EQ(cohort.left_out.size(), 2u);
   EXPECT_THAT(cohort.left_out[0].reason, HasSubstr("open.ply"));
   EXPECT_THAT(cohort.left_out[1].reason, HasSubstr("torn.ply"));
+}
+
+// A torus with a thin bridge and a hole: neither is beyond repair.
+TriangleSoup defective() {
+  testing::TorusWithHandles torus(120, 60);
+  torus.bridge(10, 20, 14);
+  torus.shake(0.01, 1);
+  torus.soup.triangles.erase(torus.soup.triangles.begin() + 9000);
+  return torus.soup;
+}
+
+TEST(ReadCohort, WhatTheAuditRefusesIsRepairedOnRequest) {
+  const TemporaryFolder folder;
+  write_ply(folder.file("good.ply"), torus_soup(24, 12));
+  write_ply(folder.file("mendable.ply"), defective());
+  TriangleSoup cut_off = torus_soup(24, 12);
+  cut_off.triangles.resize(cut_off.triangles.size() / 2);
+  write_ply(folder.file("cut_off.ply"), cut_off);
+  folder.file("torn.ply", "ply\nformat ascii 1.0\n");
+  const auto files = find_meshes({folder.path()});
+  EXPECT_EQ(read_cohort(files, LengthUnit::millimetre, RunContext(2)).shapes.size(), 1u);
+  const Cohort cohort = read_cohort(files, LengthUnit::millimetre, RunContext(2), {}, RepairOptions());
+  ASSERT_EQ(cohort.shapes.size(), 2u);
+  EXPECT_FALSE(cohort.shapes[0].repair);
+  ASSERT_TRUE(cohort.shapes[1].repair);
+  const RepairReport& report = *cohort.shapes[1].repair;
+  EXPECT_EQ(report.removed_handles.size(), 1u);
+  EXPECT_THAT(summary(report), HasSubstr("holes filled: 1 at ("));
+  const auto json = repair_json(report);
+  EXPECT_EQ(json.at("changes").size(), 2u);
+  EXPECT_EQ(json.at("removed_handles").at(0).at("kind"), "bridge");
+  EXPECT_EQ(json.at("canal").at("kind"), "tunnel");
+  // In the file's coordinates: nothing but the patches is new.
+  const TriangleSoup raw = read_mesh(folder.file("mendable.ply")).soup;
+  std::size_t kept = 0;
+  for (const Vec3& p : cohort.shapes[1].mesh.positions())
+    kept += std::find(raw.points.begin(), raw.points.end(), p) != raw.points.end() ? 1 : 0;
+  EXPECT_GT(kept, raw.points.size() - 30);
+  ASSERT_EQ(cohort.left_out.size(), 2u);
+  EXPECT_THAT(cohort.left_out[0].reason, HasSubstr("cut_off.ply: it is open: a hole of"));
+  EXPECT_THAT(cohort.left_out[1].reason, HasSubstr("torn.ply"));
+}
+
+TEST(RepairSurface, TakesUnitsAndRefusesWrongOnes) {
+  TriangleSoup soup = defective();
+  for (Vec3& p : soup.points) p /= 1000;
+  const RepairedMesh repaired = repair_surface(soup, LengthUnit::metre, {}, RunContext(1));
+  EXPECT_NEAR(repaired.report.canal.length_mm, 75, 2);
+  EXPECT_THAT(refusal([&] { repair_surface(soup, LengthUnit::millimetre, {}, RunContext(1)); }),
+              HasSubstr("--units m"));
+  // A piece far away does not make it another unit.
+  soup = defective();
+  soup.points.insert(soup.points.end(), {Vec3(600, 0, 0), Vec3(601, 0, 0), Vec3(600, 1, 0)});
+  const int n = static_cast<int>(soup.points.size());
+  soup.triangles.push_back({n - 3, n - 2, n - 1});
+  EXPECT_EQ(repair_surface(soup, LengthUnit::millimetre, {}, RunContext(1)).report.changes.size(), 3u);
+}
+
+TEST(ReadCohort, RealDataDefectiveVertebraeAreUsedWhenRepaired) {
+  FORAMEN_NEEDS_REAL_DATA();
+  const auto files = find_meshes({testing::data_dir() / "defective"});
+  EXPECT_EQ(read_cohort(files, LengthUnit::millimetre, RunContext(2)).left_out.size(), 5u);
+  const Cohort cohort = read_cohort(files, LengthUnit::millimetre, RunContext(2), {}, RepairOptions());
+  EXPECT_TRUE(cohort.left_out.empty());
+  ASSERT_EQ(cohort.shapes.size(), 5u);
+  for (const InputShape& shape : cohort.shapes) EXPECT_TRUE(shape.repair) << shape.stem;
 }
 
 TEST(SubjectOf, TakesTheFirstGroupOrTheWholeMatch) {

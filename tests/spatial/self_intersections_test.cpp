@@ -11,7 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/core/rng.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {
@@ -253,6 +255,15 @@ TEST(SelfIntersections, DoNotDependOnThePoseNorOnARefit) {
   TriangleTree tree(torus);
   tree.refit(pierced);
   EXPECT_EQ(self_intersections(tree), here);
+}
+
+TEST(SelfIntersections, AreNotListedBeyondTheLimit) {
+  TriangleSoup knot = testing::torus_soup(12, 10);
+  Rng rng(1);
+  for (Vec3& p : knot.points) p = Vec3(rng.uniform(), rng.uniform(), rng.uniform());
+  const TriangleTree tree(build_mesh(knot));
+  EXPECT_THROW(self_intersections(tree, {.most_overlaps_per_triangle = 30}), ConvergenceError);
+  EXPECT_FALSE(self_intersections(tree, {.most_overlaps_per_triangle = 240}).empty());
 }
 
 }  // namespace
