@@ -15,8 +15,8 @@ namespace foramen {
 namespace repair_detail {
 namespace {
 
-// Basepoints tried for the shortest loop. Vertebrae need a few hundred; a surface whose loops are all alike, all of its
-// vertices.
+// Basepoints tried for the shortest loop. Vertebrae need a few hundred; a surface whose loops are all alike,
+// all of its vertices.
 constexpr int most_basepoints = 10000;
 
 // A loop of a genus-1 surface that bounds inside: the combination of the two loops that links with none
