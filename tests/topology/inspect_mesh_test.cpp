@@ -103,11 +103,11 @@ std::vector<Broken> broken_surfaces() {
   const TriangleSoup torus = torus_soup(10, 8);
   TriangleSoup s = torus;
   s.triangles.pop_back();
-  add("one_hole", s, &MeshReport::boundary_edges, 3, "it is open: 3 boundary edges", "close the holes");
+  add("one_hole", s, &MeshReport::boundary_edges, 3, "it is open: 3 boundary edges", "fills small holes");
   s = torus;
   std::swap(s.triangles[5][0], s.triangles[5][1]);
   add("one_flipped", s, &MeshReport::misoriented_edges, 3, "not all wound the same way (3 edges",
-      "orient all faces");
+      "winds them alike");
   s = torus;
   s.points.emplace_back(0, 0, 0);
   s.triangles.push_back({s.triangles[0][0], s.triangles[0][1], 80});
@@ -116,15 +116,15 @@ std::vector<Broken> broken_surfaces() {
   s = torus;
   s.triangles.push_back(s.triangles[7]);
   add("duplicate", s, &MeshReport::duplicate_triangles, 1, "1 triangle is there twice",
-      "remove duplicate faces");
+      "run `foramen repair`");
   s = joined(torus, torus, Vec3(100, 0, 0));
   add("two_pieces", s, &MeshReport::components, 2, "it consists of 2 separate pieces",
-      "keep the largest piece");
+      "keeps the largest piece");
   s = joined(torus, torus, Vec3(100, 0, 0));
   for (auto& t : s.triangles)
     for (int& corner : t)
       if (corner == 80) corner = 0;
-  add("pinched", s, &MeshReport::non_manifold_vertices, 1, "1 vertex joins parts", "split such vertices");
+  add("pinched", s, &MeshReport::non_manifold_vertices, 1, "1 vertex joins parts", "parts them");
   s = torus;
   s.points[3].y() = nan;
   add("nan", s, &MeshReport::non_finite_vertices, 1, "1 vertex has a coordinate that is not a finite",
@@ -139,7 +139,7 @@ std::vector<Broken> broken_surfaces() {
   s = torus;
   s.points.emplace_back(500, 0, 0);
   add("unused", s, &MeshReport::unused_vertices, 1, "1 vertex belongs to no triangle",
-      "remove unreferenced vertices");
+      "run `foramen repair`");
   add("sphere", tetrahedron(), &MeshReport::euler_number, 2, "(genus 0)", "canal");
   add("two_handles", genus2_soup(9, 7), &MeshReport::euler_number, -2, "genus 2: 2 holes",
       "foramina transversaria");
