@@ -107,6 +107,7 @@ export function smallReport(): ReportData {
     remarks: [],
     shapes_table: emptyTable,
     left_out: emptyTable,
+    repaired: emptyTable,
     refit_failures: emptyTable,
     made_by: '',
     options: emptyTable,
