@@ -143,12 +143,12 @@ class Repair {
     note(RepairKind::holes, std::move(holes_));
   }
 
-  void edit(EditedMesh next) { now_ = {next.mesh, composed(now_.origin, next.origin)}; }
+  void edit(const EditedMesh& next) { now_ = {next.mesh, composed(now_.origin, next.origin)}; }
 
   void remove_zero_area() {
     WithoutZeroArea without = without_zero_area(now_.mesh);
     if (without.positions.empty()) return;
-    edit(std::move(without.edited));
+    edit(without.edited);
     const auto before =
         std::find_if(report_.changes.begin(), report_.changes.end(),
                      [](const RepairChange& c) { return c.kind == RepairKind::zero_area_triangles; });
