@@ -117,7 +117,7 @@ void write_soups(const fs::path& folder) {
 
 void write_label_maps(const fs::path& folder) {
   const auto torus_at = [](const Vec3& p) { return testing::bumpy_torus(p) < 0 ? 20 : p.z() > 6 ? 3 : 0; };
-  const LabelMap torus = testing::labelled_lattice({12, 12, 6}, 4 * Mat3::Identity(), torus_at);
+  const LabelMap torus = testing::labelled_lattice({9, 9, 5}, 5 * Mat3::Identity(), torus_at);
   int next = 0;
   const LabelMap mixed =
       testing::labelled_lattice({3, 2, 4}, 2 * Mat3::Identity(), [&](const Vec3&) { return next++ % 5; });

@@ -147,7 +147,7 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
       result = read_shape(file, unit, repair, ctx.with_threads(1).without_progress());
     } catch (const Cancelled&) {
       throw;
-    } catch (const Error& e) {
+    } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
       result = LeftOut{file.stem().string(), file.filename().string(), {}, e.what()};
     }
   });
