@@ -44,12 +44,8 @@ void read_or_refuse(const Read& read) {
 void fuzz(std::string_view bytes) {
   const io_detail::Source source{"fuzzed", bytes};
   for (const auto parse : {io_detail::parse_ply, io_detail::parse_stl, io_detail::parse_obj,
-                           io_detail::parse_off, io_detail::parse_vtk})
+                           io_detail::parse_off, io_detail::parse_vtk, io_detail::parse_vtp})
     read_or_refuse([&] { return parse(source); });
-  if (bytes.starts_with('<')) {
-    const fuzzing::MemoryFile file(bytes);
-    read_or_refuse([&] { return io_detail::read_vtp(file.path()); });
-  }
 }
 
 }  // namespace

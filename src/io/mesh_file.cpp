@@ -8,35 +8,21 @@
 namespace foramen {
 namespace {
 
-using MemoryReader = MeshFile (*)(const io_detail::Source&);
-using DiskReader = MeshFile (*)(const std::filesystem::path&);
-
 struct Format {
   const char* extension;
-  MemoryReader parse;  // one of the two
-  DiskReader read;
+  MeshFile (*parse)(const io_detail::Source&);
 };
 
-constexpr Format formats[] = {
-    {".ply", io_detail::parse_ply, nullptr}, {".stl", io_detail::parse_stl, nullptr},
-    {".obj", io_detail::parse_obj, nullptr}, {".off", io_detail::parse_off, nullptr},
-    {".vtk", io_detail::parse_vtk, nullptr}, {".vtp", nullptr, io_detail::read_vtp}};
-
-bool in_this_build(const Format& format) {
-#ifdef FORAMEN_WITH_VTK
-  return format.parse || format.read;
-#else
-  return format.parse != nullptr;
-#endif
-}
+constexpr Format formats[] = {{".ply", io_detail::parse_ply}, {".stl", io_detail::parse_stl},
+                              {".obj", io_detail::parse_obj}, {".off", io_detail::parse_off},
+                              {".vtk", io_detail::parse_vtk}, {".vtp", io_detail::parse_vtp}};
 
 }  // namespace
 
 const std::vector<std::string>& mesh_extensions() {
   static const std::vector<std::string> extensions = [] {
     std::vector<std::string> list;
-    for (const Format& format : formats)
-      if (in_this_build(format)) list.emplace_back(format.extension);
+    for (const Format& format : formats) list.emplace_back(format.extension);
     return list;
   }();
   return extensions;
@@ -46,7 +32,6 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   const std::string extension = io_detail::lower_case(path.extension().string());
   for (const Format& format : formats) {
     if (extension != format.extension) continue;
-    if (format.read) return format.read(path);
     const std::string bytes = io_detail::read_bytes(path);
     return format.parse({path.string(), bytes});
   }

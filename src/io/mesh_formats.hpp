@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: one function per mesh format. Those that take a Source work on memory alone.
+/// Private to io: one function per mesh format, all on memory alone.
 
 #include <filesystem>
 
@@ -16,8 +16,8 @@ MeshFile parse_off(const Source& source);
 /// Legacy VTK PolyData.
 MeshFile parse_vtk(const Source& source);
 
-/// VTK XML PolyData, through VTK. Without VTK in this build it throws IoError that says so.
-MeshFile read_vtp(const std::filesystem::path& path);
+/// VTK XML PolyData: text, inline or appended binary, with or without zlib.
+MeshFile parse_vtp(const Source& source);
 
 /// Throws InvalidInput unless every coordinate is finite in float32 and every corner exists.
 void check_writable(const std::filesystem::path& path, const TriangleSoup& soup);

@@ -1,144 +1,140 @@
-#include "io/mesh_formats.hpp"
-
-#ifdef FORAMEN_WITH_VTK
-#include <vtkCallbackCommand.h>
-#include <vtkCellArray.h>
-#include <vtkExecutive.h>
-#include <vtkFieldData.h>
-#include <vtkIdList.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
-#include <vtkXMLPolyDataReader.h>
-
+#include <algorithm>
 #include <array>
 #include <string>
-#endif
+#include <utility>
+
+#include "io/mesh_formats.hpp"
+#include "io/vtk_data_array.hpp"
 
 namespace foramen::io_detail {
-
-#ifdef FORAMEN_WITH_VTK
 namespace {
 
-constexpr const char* remedy_damaged =
-    "the file is damaged, cut off or no VTK surface: export it again, best as PLY";
+// The document without what may follow its elements: raw bytes are no XML.
+struct VtpFile {
+  XmlElement root;
+  std::string_view appended;
+  bool appended_base64 = false;
+};
 
-// Keeps what VTK would print, and hands it to our own error.
-class VtkErrors {
+VtpFile split(const Source& source) {
+  const std::string_view bytes = source.bytes;
+  if (bytes.find("<VTKFile") == std::string_view::npos)
+    source.refuse("has no <VTKFile> element", "it is no VTK XML file: check its format and extension");
+  constexpr std::string_view end_tag = "</VTKFile>";
+  const auto last = bytes.find_last_not_of(" \t\r\n");
+  if (!bytes.substr(0, last + 1).ends_with(end_tag))
+    source.refuse("does not end with </VTKFile>", remedy_export_again);
+  VtpFile file;
+  const auto appended = bytes.find("<AppendedData");
+  const auto close = appended == std::string_view::npos ? appended : bytes.find('>', appended);
+  if (close == std::string_view::npos) {
+    file.root = parse_xml(source, bytes);
+    return file;
+  }
+  file.root = parse_xml(source, std::string(bytes.substr(0, close + 1)) + "</AppendedData></VTKFile>");
+  const auto mark = bytes.find('_', close);
+  file.appended = bytes.substr(std::min(mark, bytes.size() - 1) + 1);
+  const XmlElement* element = file.root.child("AppendedData");
+  file.appended_base64 = element != nullptr && element->attribute("encoding") == "base64";
+  if (file.appended_base64) file.appended = file.appended.substr(0, file.appended.find('<'));
+  return file;
+}
+
+class SurfaceReader {
  public:
-  VtkErrors() {
-    command_->SetClientData(this);
-    command_->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
-      auto& errors = *static_cast<VtkErrors*>(self);
-      if (errors.first_.empty()) errors.first_ = text ? static_cast<const char*>(text) : "no reason given";
-    });
-  }
-  vtkCommand* command() { return command_; }
-  void watch(vtkObject& object) {
-    object.AddObserver(vtkCommand::ErrorEvent, command_);
-    object.AddObserver(vtkCommand::WarningEvent, command_);
-  }
-  void refuse_if_any(const Source& source) const {
-    if (first_.empty()) return;
-    // "ERROR: In file.cxx, line 7\nvtkClass (0x...): the reason\n\n": only the reason is the user's business.
-    const auto at = first_.find("): ");
-    std::string reason = at == std::string::npos ? first_ : first_.substr(at + 3);
-    for (char& c : reason)
-      if (c < ' ' || c > '~') c = ' ';
-    reason.erase(reason.find_last_not_of(' ') + 1);
-    source.refuse("VTK cannot read it (" + reason + ")", remedy_damaged);
+  SurfaceReader(const Source& source, const VtpFile& file)
+      : source_(source), arrays_(source, file.root, file.appended, file.appended_base64), soup_(source) {}
+
+  MeshFile read(const XmlElement& root) {
+    const XmlElement* data = root.attribute("type") == "PolyData" ? root.child("PolyData") : nullptr;
+    if (data == nullptr)
+      source_.refuse("is no PolyData", "foramen reads surfaces, no images or grids: export the surface");
+    for (const XmlElement& piece : data->children)
+      if (piece.name == "Piece") add_piece(piece);
+    SpaceTag space;
+    if (const XmlElement* fields = data->child("FieldData"))
+      for (const XmlElement& field : fields->children)
+        if (field.attribute("Name") == "SPACE" && field.attribute("type") == "String")
+          space.see(source_, "SPACE=" + arrays_.text(field));
+    return {soup_.take(), space.value()};
   }
 
  private:
-  vtkNew<vtkCallbackCommand> command_;
-  std::string first_;
+  std::uint64_t count(const XmlElement& piece, const std::string& attribute) const {
+    const std::string written = piece.attribute(attribute, "0");
+    const auto number = to_integer(written);
+    if (!number || *number < 0)
+      source_.refuse("announces " + in_quotes(written) + " as " + attribute, remedy_export_again);
+    return static_cast<std::uint64_t>(*number);
+  }
+
+  const XmlElement& child(const XmlElement& piece, const char* name) const {
+    const XmlElement* found = piece.child(name);
+    if (found == nullptr) source_.refuse("has no <" + std::string(name) + ">", remedy_export_again);
+    return *found;
+  }
+
+  void add_piece(const XmlElement& piece) {
+    const std::uint64_t points = count(piece, "NumberOfPoints"), faces = count(piece, "NumberOfPolys");
+    if (count(piece, "NumberOfStrips") > 0) source_.refuse("holds triangle strips", remedy_triangulate);
+    if (count(piece, "NumberOfVerts") + count(piece, "NumberOfLines") > 0)
+      source_.refuse("holds loose points or lines beside faces", "remove them, or export the surface alone");
+    if (points + faces == 0) return;
+    const std::size_t first = soup_.points();
+    const auto coordinates = arrays_.numbers(arrays_.find(child(piece, "Points"), "Points"));
+    const XmlElement& polys = child(piece, "Polys");
+    const auto corners = arrays_.integers(arrays_.find(polys, "connectivity"));
+    const auto ends = arrays_.integers(arrays_.find(polys, "offsets"));
+    if (coordinates.size() % 3 != 0 || coordinates.size() / 3 != points)
+      refuse_count("Points", coordinates.size(), "3 x " + std::to_string(points));
+    if (ends.size() != faces) refuse_count("offsets", ends.size(), std::to_string(faces));
+    soup_.expect(first + points, soup_.triangles() + faces, source_.bytes.size(), 0, 0);
+    for (std::size_t v = 0; v < points; ++v)
+      soup_.add_point({coordinates[3 * v], coordinates[3 * v + 1], coordinates[3 * v + 2]},
+                      [&] { return "vertex " + std::to_string(first + v); });
+    std::int64_t begin = 0;
+    for (const std::int64_t end : ends) {
+      add_face(corners, begin, end, first);
+      begin = end;
+    }
+  }
+
+  [[noreturn]] void refuse_count(const std::string& array, std::size_t found,
+                                 const std::string& expected) const {
+    source_.refuse(
+        "its array '" + array + "' holds " + std::to_string(found) + " numbers instead of " + expected,
+        remedy_export_again);
+  }
+
+  void add_face(const std::vector<std::int64_t>& corners, std::int64_t begin, std::int64_t end,
+                std::size_t first) {
+    const auto place = [&] { return "face " + std::to_string(soup_.triangles()); };
+    if (end < begin || end > std::ssize(corners))
+      source_.refuse(place() + ": its offsets " + std::to_string(begin) + " and " + std::to_string(end) +
+                         " are out of order or range",
+                     remedy_export_again);
+    if (end - begin != 3) refuse_polygon(source_, place(), static_cast<std::uint64_t>(end - begin));
+    std::array<std::int64_t, 3> triangle{};
+    const std::uint64_t points = soup_.points() - first;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int64_t corner = corners[static_cast<std::size_t>(begin) + k];
+      if (corner < 0 || static_cast<std::uint64_t>(corner) >= points)
+        soup_.refuse_corner(corner, points, place());
+      triangle[k] = corner + static_cast<std::int64_t>(first);
+    }
+    soup_.add_triangle(triangle, soup_.points(), place);
+  }
+
+  const Source& source_;
+  VtkDataArrays arrays_;
+  SoupBuilder soup_;
 };
-
-// A count in the file must not make VTK allocate more than the file could hold.
-void check_counts(const Source& source, std::string_view attribute) {
-  // Deflate packs at most about 1032 bytes into one.
-  constexpr std::uint64_t densest = 1032;
-  constexpr std::size_t longest = 24;
-  const std::string key = std::string(attribute) + "=\"";
-  for (auto at = source.bytes.find(key); at != std::string_view::npos; at = source.bytes.find(key, at + 1)) {
-    const std::string_view value = source.bytes.substr(at + key.size(), longest);
-    const std::string_view written = value.substr(0, value.find('"'));
-    const auto count = to_integer(written);
-    if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > densest * source.bytes.size())
-      source.refuse("announces " + in_quotes(written) + " as " + std::string(attribute) + ", but has " +
-                        std::to_string(source.bytes.size()) + " bytes",
-                    remedy_damaged);
-  }
-}
-
-void check_header(const Source& source) {
-  const auto root = source.bytes.find("<VTKFile");
-  if (root == std::string_view::npos)
-    source.refuse("has no <VTKFile> element", "it is no VTK XML file: check its format and extension");
-  if (source.bytes.find("type=\"PolyData\"", root) == std::string_view::npos)
-    source.refuse("is no PolyData", "foramen reads surfaces, no images or grids: export the surface");
-  const auto last = source.bytes.find_last_not_of(" \t\r\n");
-  if (!source.bytes.substr(0, last + 1).ends_with("</VTKFile>"))
-    source.refuse("does not end with </VTKFile>", remedy_damaged);
-  for (const std::string_view attribute :
-       {"NumberOfPoints", "NumberOfPolys", "NumberOfStrips", "NumberOfLines", "NumberOfVerts",
-        "NumberOfTuples", "NumberOfComponents"})
-    check_counts(source, attribute);
-}
-
-TriangleSoup soup_of(const Source& source, vtkPolyData& data) {
-  SoupBuilder soup(source);
-  const auto points = static_cast<std::uint64_t>(data.GetNumberOfPoints());
-  if (data.GetNumberOfStrips() > 0) source.refuse("holds triangle strips", remedy_triangulate);
-  if (data.GetNumberOfVerts() + data.GetNumberOfLines() > 0)
-    source.refuse("holds loose points or lines beside faces", "remove them, or export the surface alone");
-  soup.expect(points, static_cast<std::uint64_t>(data.GetNumberOfPolys()), source.bytes.size(), 0, 0);
-  for (std::uint64_t v = 0; v < points; ++v) {
-    std::array<double, 3> p{};
-    data.GetPoint(static_cast<vtkIdType>(v), p.data());
-    soup.add_point({p[0], p[1], p[2]}, [&] { return "vertex " + std::to_string(v); });
-  }
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType f = 0; f < data.GetNumberOfPolys(); ++f) {
-    const auto place = [&] { return "face " + std::to_string(f); };
-    data.GetPolys()->GetCellAtId(f, corners);
-    if (corners->GetNumberOfIds() != 3)
-      refuse_polygon(source, place(), static_cast<std::uint64_t>(corners->GetNumberOfIds()));
-    soup.add_triangle({corners->GetId(0), corners->GetId(1), corners->GetId(2)}, points, place);
-  }
-  return soup.take();
-}
 
 }  // namespace
 
-MeshFile read_vtp(const std::filesystem::path& path) {
-  const std::string bytes = read_bytes(path);
-  const Source source{path.string(), bytes};
-  check_header(source);
-  VtkErrors errors;
-  vtkNew<vtkXMLPolyDataReader> reader;
-  errors.watch(*reader);
-  errors.watch(*reader->GetExecutive());
-  reader->SetReaderErrorObserver(errors.command());
-  reader->SetParserErrorObserver(errors.command());
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  errors.refuse_if_any(source);
-  vtkPolyData& data = *reader->GetOutput();
-  SpaceTag space;
-  auto* tag = vtkStringArray::SafeDownCast(data.GetFieldData()->GetAbstractArray("SPACE"));
-  if (tag && tag->GetNumberOfValues() > 0) space.see(source, "SPACE=" + tag->GetValue(0));
-  return {soup_of(source, data), space.value()};
+MeshFile parse_vtp(const Source& source) {
+  const VtpFile file = split(source);
+  return SurfaceReader(source, file).read(file.root);
 }
-
-#else
-
-MeshFile read_vtp(const std::filesystem::path& path) {
-  Source{path.string(), {}}.refuse(
-      "this build of foramen reads no VTP files (VTK was not found when it was built)",
-      "convert it to PLY, or install VTK 9 and build foramen again");
-}
-
-#endif
 
 }  // namespace foramen::io_detail

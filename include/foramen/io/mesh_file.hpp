@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Triangle meshes on disk: PLY, STL, OBJ, OFF by our own strict readers; VTK and VTP through VTK where it
-/// was found.
+/// Triangle meshes on disk: PLY, STL, OBJ, OFF, legacy VTK and VTP, by our own strict readers.
 
 #include <filesystem>
 #include <optional>
@@ -23,7 +22,7 @@ struct MeshFile {
       space;  ///< from a SPACE=LPS / SPACE=RAS comment; unset: untagged (taken as LPS)
 };
 
-/// Extensions (lower case, with dot) that read_mesh understands in this build.
+/// Extensions (lower case, with dot) that read_mesh understands.
 const std::vector<std::string>& mesh_extensions();
 
 /// Reads by extension (any case). Polygons with more than three corners are refused. STL corners with the
