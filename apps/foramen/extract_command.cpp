@@ -3,6 +3,7 @@
 
 #include "foramen/pipeline/run_extract.hpp"
 #include "label_options.hpp"
+#include "repair_options.hpp"
 
 namespace foramen::app {
 namespace {
@@ -12,7 +13,8 @@ struct ExtractCommand {
   std::optional<LabelRequest> labels;  // as the flags have it
   std::vector<std::string> inputs;
   std::string output;
-  bool strict = false;
+  bool strict = false, repair = false;
+  RepairOptions repair_options;
   Console console;
 };
 
@@ -21,6 +23,7 @@ int extract(const ExtractCommand& command) {
   for (const std::string& input : command.inputs) request.inputs.emplace_back(input);
   request.output = command.output;
   request.labels = command.labels.value_or(LabelRequest{});
+  if (command.repair) request.repair = command.repair_options;
   request.canonical_command = command.console.command;
   const ExtractSummary summary = run_extract(request, command.console.context());
   for (const LeftOut& label : summary.left_out)
@@ -42,6 +45,9 @@ void add_extract(CLI::App& program, Run& run) {
       ->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();
   options->flags.add_to(*command);
+  CLI::Option* repair = command->add_flag("--repair", options->repair,
+                                          "repair what is not fit for a model (see foramen repair)");
+  for (CLI::Option* option : add_repair_options(*command, options->repair_options)) option->needs(repair);
   command->add_flag("--strict", options->strict, "exit 1 if any label is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {

@@ -5,6 +5,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
+#include "foramen/pipeline/repair_record.hpp"
 #include "foramen/pipeline/version.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 #include "pipeline/run_json.hpp"
@@ -28,19 +29,44 @@ std::string line_of(const LabelSurface& label) {
   return text;
 }
 
-ordered_json surface_json(const LabelSurface& label, const std::optional<Obstacle>& obstacle) {
-  ordered_json out = {{"file", label.stem + ".ply"},
-                      {"label", label.label},
-                      {"name", label.name},
-                      {"usable", !obstacle},
-                      {"vertices", label.extracted.surface.points.size()},
-                      {"triangles", label.extracted.surface.triangles.size()}};
-  out.update(extraction_json(label.extracted.report));
-  if (obstacle) {
-    out["finding"] = obstacle->finding;
-    out["remedy"] = obstacle->remedy;
+// One surface as it will be written.
+struct Finished {
+  std::string stem;
+  TriangleSoup surface;
+  ordered_json record;
+};
+
+Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& repair, const RunContext& ctx,
+                std::vector<std::string>& notes) {
+  TriangleSoup surface = label.extracted.surface;
+  auto obstacle = obstacle_to_model(inspect_mesh(surface));
+  ordered_json repaired_json;
+  if (obstacle && repair) {
+    try {
+      const RepairedMesh repaired = repair_surface(surface, LengthUnit::millimetre, *repair, ctx);
+      notes.push_back(label.stem + ": repaired: " + summary(repaired.report));
+      repaired_json = repair_json(repaired.report);
+      surface = repaired.mesh.soup();
+      obstacle.reset();
+    } catch (const InvalidInput& e) {
+      notes.push_back(label.stem + ": cannot be repaired: " + e.what());
+    }
+  } else if (obstacle) {
+    notes.push_back(label.stem + ": not fit for a model: " + obstacle->finding + "; " + obstacle->remedy);
   }
-  return out;
+  ordered_json record = {{"file", label.stem + ".ply"},
+                         {"label", label.label},
+                         {"name", label.name},
+                         {"usable", !obstacle},
+                         {"vertices", surface.points.size()},
+                         {"triangles", surface.triangles.size()},
+                         {"extraction", extraction_json(label.extracted.report)}};
+  if (!repaired_json.is_null()) record["repair"] = std::move(repaired_json);
+  if (obstacle) {
+    record["finding"] = obstacle->finding;
+    record["remedy"] = obstacle->remedy;
+  }
+  return {label.stem, std::move(surface), std::move(record)};
 }
 
 struct ReadLabelMap {
@@ -78,7 +104,7 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
   ExtractSummary summary;
   const auto all = read_all(request, ctx, summary);
   ordered_json files = ordered_json::array();
-  std::size_t surfaces = 0;
+  std::vector<Finished> surfaces;
   for (const ReadLabelMap& map : all) {
     const std::string name = map.file.filename().string();
     ordered_json written = ordered_json::array(), refused_labels = ordered_json::array();
@@ -89,18 +115,15 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
           {{"label", refused.label}, {"name", refused.name}, {"reason", refused.reason}});
     }
     for (const LabelSurface& label : map.labels.surfaces) {
-      const auto obstacle = obstacle_to_model(inspect_mesh(label.extracted.surface));
-      if (obstacle)
-        summary.notes.push_back(label.stem + ": not fit for a model: " + obstacle->finding + "; " +
-                                obstacle->remedy);
+      ctx.check();
       summary.text += line_of(label);
-      written.push_back(surface_json(label, obstacle));
+      surfaces.push_back(finish(label, request.repair, ctx, summary.notes));
+      written.push_back(surfaces.back().record);
     }
-    surfaces += map.labels.surfaces.size();
     files.push_back(
         {{"file", name}, {"sha256", map.labels.sha256}, {"surfaces", written}, {"refused", refused_labels}});
   }
-  if (surfaces == 0) {
+  if (surfaces.empty()) {
     std::string message = "no label could be extracted";
     for (const LeftOut& out : summary.left_out)
       message += "\n  left out " + source_of(out) + ": " + out.reason;
@@ -112,9 +135,8 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
   if (failed || !fs::is_directory(request.output))
     throw IoError(request.output.string() + ": cannot be made a folder (" + failed.message() +
                   "); give another with -o");
-  for (const ReadLabelMap& map : all)
-    for (const LabelSurface& label : map.labels.surfaces)
-      write_ply(request.output / (label.stem + ".ply"), label.extracted.surface);
+  for (const Finished& surface : surfaces)
+    write_ply(request.output / (surface.stem + ".ply"), surface.surface);
   ordered_json record = {{"version", version()},
                          {"command", request.canonical_command},
                          {"options", label_options_json(request.labels)},
@@ -122,8 +144,8 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
                          {"notes", summary.notes}};
   summary.json = record.dump(2);
   write_file(request.output / "extract.json", summary.json + "\n");
-  summary.text += "wrote " + std::to_string(surfaces) + (surfaces == 1 ? " surface to " : " surfaces to ") +
-                  request.output.string();
+  summary.text += "wrote " + std::to_string(surfaces.size()) +
+                  (surfaces.size() == 1 ? " surface to " : " surfaces to ") + request.output.string();
   ctx.step("extract", 1);
   return summary;
 }

@@ -52,7 +52,6 @@ std::vector<Case> nifti_cases() {
   std::string four = good;
   set_value<std::int16_t>(four, 40, 4);
   set_value<std::int16_t>(four, 48, 3);
-  LabelMap image = map;
   std::string halves = nifti_bytes<float>(map, 16), not_a_number = halves,
               negative = nifti_bytes<std::int16_t>(map, 4);
   set_value<float>(halves, 352 + 40, 2.5F);

@@ -131,7 +131,7 @@ TEST_F(LabelCohort, ExtractWritesSurfacesAndTheirRecord) {
   EXPECT_EQ(torus.at("name"), "L1");
   EXPECT_EQ(torus.at("usable"), true);
   EXPECT_EQ(ball.at("usable"), false);
-  EXPECT_EQ(ball.at("genus"), 0);
+  EXPECT_EQ(ball.at("extraction").at("genus"), 0);
   EXPECT_THAT(summary.notes, Contains(HasSubstr("spine_L2: not fit for a model: no hole")));
   EXPECT_EQ(file.at("refused").at(0).at("label"), 22);
   EXPECT_THAT(stems(summary.left_out), ElementsAre("spine_L3"));
@@ -142,6 +142,29 @@ TEST_F(LabelCohort, ExtractWritesSurfacesAndTheirRecord) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 3) << "nothing else";
 }
 
+TEST_F(LabelCohort, ExtractRepairsWhatIsUnfitIfAsked) {
+  // A torus with a tunnel of one voxel near the rim of its tube.
+  const auto label_at = [](const Vec3& p) {
+    const bool tunnel = std::abs(p.x() + 18) < 1 && std::abs(p.y()) < 1;
+    return bumpy_torus(p, 16, 4) < 0 && !tunnel ? 20 : 0;
+  };
+  const auto file =
+      folder_.file("holed.nii.gz",
+                   packed(nifti_bytes(labelled_lattice({51, 51, 27}, Vec3(1, 1, 1).asDiagonal(), label_at))));
+  const auto surface = [&](const std::optional<RepairOptions>& repair) {
+    ExtractRequest request;
+    request.inputs = {file};
+    request.output = folder_.path() / "holed";
+    request.repair = repair;
+    const auto record = nlohmann::json::parse(run_extract(request, ctx_).json);
+    EXPECT_EQ(record.at("files").at(0).at("surfaces").at(0).at("usable"), repair.has_value())
+        << record.at("notes");
+    return inspect_mesh(read_mesh(request.output / "holed_L1.ply").soup);
+  };
+  EXPECT_EQ(surface(std::nullopt).genus, 2);
+  EXPECT_EQ(surface(RepairOptions()).genus, 1);
+}
+
 TEST_F(LabelCohort, ExtractRefusesAMissingSingleLabelBeforeItWrites) {
   const std::filesystem::path out = folder_.path() / "out";
   const auto extract = [&](const char* labels) {
@@ -149,6 +172,7 @@ TEST_F(LabelCohort, ExtractRefusesAMissingSingleLabelBeforeItWrites) {
       run_extract({.inputs = {spine()},
                    .output = out,
                    .labels = {.labels = LabelSelection::parse(labels)},
+                   .repair = std::nullopt,
                    .canonical_command = ""},
                   ctx_);
     });

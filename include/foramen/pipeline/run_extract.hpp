@@ -14,7 +14,8 @@ struct ExtractRequest {
   std::vector<std::filesystem::path> inputs;  ///< label maps, and folders of them
   std::filesystem::path output;               ///< folder of the meshes
   LabelRequest labels = {};
-  std::string canonical_command;  ///< recorded in extract.json
+  std::optional<RepairOptions> repair = std::nullopt;  ///< Set: what is unfit for a model is repaired.
+  std::string canonical_command;                       ///< recorded in extract.json
 };
 
 struct ExtractSummary {
