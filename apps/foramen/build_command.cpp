@@ -50,8 +50,8 @@ int build(const BuildCommand& command) {
 }  // namespace
 
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
-  static const std::vector<std::string> without{"--output", "--truth", "--threads", "--resume",
-                                                "--json",   "--quiet", "inputs",    "--help"};
+  static const std::vector<std::string> without{"--output", "--truth",  "--threads", "--resume", "--json",
+                                                "--quiet",  "--events", "--log",     "inputs",   "--help"};
   std::string text = "foramen " + command.get_name();
   for (const std::string& input : inputs)
     text += " " + fs::path(input).lexically_normal().filename().string();
@@ -60,7 +60,7 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
     const std::string shown = option->get_lnames().empty() ? name : "--" + option->get_lnames().front();
     if (option->count() == 0 || std::find(without.begin(), without.end(), shown) != without.end()) continue;
     text += " " + shown;
-    if (option->get_type_size() > 0)
+    if (option->get_expected_max() > 0)  // no flag
       for (const std::string& value : option->results())
         text += " " + (shown == "--label-names" ? fs::path(value).filename().string() : value);
   }
@@ -92,8 +92,12 @@ void BuildFlags::add_to(CLI::App& command) {
           "how the template is brought onto a shape: bent, with what the other shapes tell or each by "
           "itself, or only aligned")};
   command.add_option("--reference", build.reference, "name of the reference shape, or auto");
-  lambda_option = command.add_option("--lambda", lambda, "weight of distortion against correspondence")
-                      ->check(CLI::PositiveNumber);
+  lambda_option =
+      command
+          .add_option("--lambda", lambda,
+                      "weight of distortion against correspondence (default: the objective's own)")
+          ->check(CLI::PositiveNumber)
+          ->default_str("");
   auto* count =
       command.add_option("--landmarks", build.landmarks, "number of landmarks (refinement may add 5 %)")
           ->check(CLI::Range(50, 200000));
@@ -162,6 +166,9 @@ void add_build(CLI::App& program, Run& run) {
   auto options = std::make_shared<BuildCommand>();
   CLI::App* command = program.add_subcommand(
       "build", "a statistical shape model from surfaces or label maps, with its evaluation and report");
+  command->footer(
+      "Examples:\n  foramen build shapes/ -o model\n  foramen build spine.nii.gz --labels 20-24 -o model     "
+      " (a label map: L1 to L5)\n  foramen build shapes/ --repair --subject-regex '^([^_]+)' -o model");
   command->add_option("inputs", options->inputs, "mesh files, label maps, or folders of them")->required();
   command->add_option("-o,--output", options->output, "folder of the model")->required();
   options->flags.add_to(*command);

@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 
 #include "foramen/core/run_context.hpp"
+#include "run_record.hpp"
 
 namespace foramen::app {
 
@@ -22,7 +23,9 @@ struct Console {
   bool json = false;   ///< one object on stdout instead of text
   bool quiet = false;  ///< no progress, no summary
   int threads = 0;
-  std::string command;  ///< canonical: without -o, --threads, --json, --quiet, inputs by their base names
+  RecordOptions record;
+  std::string command;  ///< canonical: without -o, --threads, --json, --quiet, --events, --log, inputs by
+                        ///< their base names
 
   /// A context whose progress is shown as a bar on a terminal and as plain lines otherwise, and which Ctrl-C
   /// stops.
@@ -40,26 +43,38 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& val
                         const std::map<std::string, Value>& choices, const std::string& what) {
   std::vector<std::string> words;
   words.reserve(choices.size());
-  for (const auto& [word, meaning] : choices) words.push_back(word);
+  std::string chosen;
+  for (const auto& [word, meaning] : choices) {
+    words.push_back(word);
+    if (meaning == value) chosen = word;
+  }
   const auto take = [&value, choices](const std::string& word) { value = choices.at(word); };
   return command.add_option_function<std::string>(option, take, what)
-      ->transform(CLI::IsMember(words, CLI::ignore_case));
+      ->transform(CLI::IsMember(words, CLI::ignore_case))
+      ->default_str(chosen);
 }
 
-/// Adds --threads, --json, --quiet.
+/// Adds --threads, --json, --quiet, --events, --log.
 void add_console_options(CLI::App& command, Console& console);
 
 /// The command as it is recorded: what decides the result, and nothing else. Files by their base names.
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs);
 
+/// What --events and --log begin with: the command as it was typed.
+void begin_run(const std::string& command);
+/// What they end with. \param error  empty: none
+void end_run(int exit_code, const std::string& error = {});
+
 /// Each registers one sub-command whose work is left in `run`.
 using Run = std::function<int()>;
 void add_build(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
+void add_completion(CLI::App& program, Run& run);
 void add_demo(CLI::App& program, Run& run);
 void add_evaluate(CLI::App& program, Run& run);
 void add_extract(CLI::App& program, Run& run);
 void add_inspect(CLI::App& program, Run& run);
+void add_manual(CLI::App& program, Run& run);
 void add_modes(CLI::App& program, Run& run);
 void add_render(CLI::App& program, Run& run);
 void add_repair(CLI::App& program, Run& run);

@@ -39,6 +39,7 @@ void add_compare(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand(
       "compare",
       "generalization and specificity of models side by side, with standard errors and paired tests");
+  command->footer("Example:\n  foramen compare model model_icp -o comparison");
   command->add_option("models", options->models, "folders of two or more models")->required()->expected(2, 8);
   command->add_option("-o,--output", options->output, "folder for the page and the curves")
       ->default_val("foramen-compare");

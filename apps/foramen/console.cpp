@@ -1,12 +1,13 @@
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "command.hpp"
+#include "progress_bar.hpp"
 
 namespace foramen::app {
 namespace {
@@ -24,62 +25,81 @@ void stop_on(int signal) {
   sigaction(signal, &action, nullptr);
 }
 
-// Shows progress: redraws one line on a terminal, prints a line a stage (and every quarter of a long one)
-// otherwise.
-class ProgressPrinter {
+// All that a run tells while it runs, to a person and to the files of --events and --log.
+class Reporter {
  public:
-  void show(const Progress& progress) {
-    const int percent = static_cast<int>(100 * progress.fraction);
-    if (terminal_) {
-      if (progress.stage != stage_) std::fprintf(stderr, "%s", stage_.empty() ? "" : "\n");
-      const int filled = percent * width / 100;
-      std::fprintf(stderr, "\r%-12s [%s%s] %3d %%", progress.stage.c_str(), std::string(filled, '#').c_str(),
-                   std::string(width - filled, '.').c_str(), percent);
-      std::fflush(stderr);
-    } else if (progress.stage != stage_ || percent / 25 != last_ / 25) {
-      std::fprintf(stderr, "%s %d %%\n", progress.stage.c_str(), percent);
-    }
-    stage_ = progress.stage;
-    last_ = percent;
+  Reporter(const Console& console, const std::string& command_line) : record_(console.record, command_line) {
+    if (!console.quiet && !console.json && console.record.events != "-")
+      bar_.emplace(isatty(STDERR_FILENO) != 0);
   }
-  ~ProgressPrinter() {
-    if (terminal_ && !stage_.empty()) std::fprintf(stderr, "\n");
+  void progress(const Progress& progress) {
+    if (progress.stage != stage_) stage_start_ = std::chrono::steady_clock::now();
+    stage_ = progress.stage;
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - stage_start_).count();
+    record_.progress(progress, seconds);
+    if (bar_) bar_->show(progress, seconds);
+  }
+  RunRecord& record() { return record_; }
+  // What is printed next begins a line.
+  void leave_bar() {
+    if (bar_) bar_->leave_line();
   }
 
  private:
-  static constexpr int width = 40;
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  RunRecord record_;
+  std::optional<ProgressBar> bar_;
   std::string stage_;
-  int last_ = 0;
+  std::chrono::steady_clock::time_point stage_start_;
 };
+
+std::string command_line;            // as it was typed
+std::shared_ptr<Reporter> reporter;  // of the one run of this program
+
+Reporter& reporter_of(const Console& console) {
+  if (!reporter) reporter = std::make_shared<Reporter>(console, command_line);
+  return *reporter;
+}
 
 }  // namespace
 
+void begin_run(const std::string& command) { command_line = command; }
+
+void end_run(int exit_code, const std::string& error) {
+  if (!reporter) return;
+  reporter->leave_bar();
+  reporter->record().ended(exit_code, error);
+}
+
 RunContext Console::context() const {
   if (interruptible) return *interruptible;
-  RunContext::Callback callback;
-  if (!quiet && !json) {
-    auto printer = std::make_shared<ProgressPrinter>();
-    callback = [printer](const Progress& p) { printer->show(p); };
-  }
-  interruptible = RunContext(threads, std::move(callback));
+  reporter_of(*this);
+  interruptible = RunContext(threads, [](const Progress& p) { reporter->progress(p); });
   stop_on(SIGINT);
   stop_on(SIGTERM);
   return *interruptible;
 }
 
 void Console::say(const std::string& line) const {
+  reporter_of(*this).leave_bar();
+  reporter_of(*this).record().message(line);
   if (!quiet && !json) std::cout << line << '\n';
 }
 
 void Console::warn(const std::string& line) const {
-  if (!quiet) std::cerr << "warning: " << line << '\n';
+  reporter_of(*this).leave_bar();
+  reporter_of(*this).record().warning(line);
+  if (!quiet && record.events != "-") std::cerr << "warning: " << line << '\n';
 }
 
 void add_console_options(CLI::App& command, Console& console) {
   command.add_option("--threads", console.threads, "threads to use (0: all)")->check(CLI::Range(0, 1024));
   command.add_flag("--json", console.json, "print one JSON object on standard output");
   command.add_flag("--quiet", console.quiet, "print nothing but errors");
+  command.add_option(
+      "--events", console.record.events,
+      "file for progress, warnings and the end as they come, one JSON object a line; -: standard error");
+  command.add_option("--log", console.record.log, "file to append the same to, as text with times");
 }
 
 }  // namespace foramen::app

@@ -40,6 +40,7 @@ void add_demo(CLI::App& program, Run& run) {
   options->flags.evaluation.draws = 100;  // a tenth of a build's: the demo is to take about a minute
   CLI::App* command = program.add_subcommand(
       "demo", "a synthetic cohort, its model and report: needs no input, ends with the report's path");
+  command->footer("Example:\n  foramen demo -n 8");
   command->add_option("-n,--shapes", options->synth.shapes, "number of shapes")->check(CLI::Range(3, 1000));
   options->flags.add_to(*command);
   command->add_option("-o,--output", options->output, "folder to write")->capture_default_str();

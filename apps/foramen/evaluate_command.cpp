@@ -29,6 +29,7 @@ void add_evaluate(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand("evaluate",
                                              "compactness, generalization, specificity of any folder of "
                                              "corresponding meshes, ours or another tool's");
+  command->footer("Example:\n  foramen evaluate other_tool/ --shapes shapes/ -o evaluation");
   command
       ->add_option("corresponding", request.corresponding,
                    "folder of meshes with identical triangles (or a model's folder)")

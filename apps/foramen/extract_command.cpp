@@ -41,6 +41,7 @@ int extract(const ExtractCommand& command) {
 void add_extract(CLI::App& program, Run& run) {
   auto options = std::make_shared<ExtractCommand>();
   CLI::App* command = program.add_subcommand("extract", "meshes of the labels of label maps");
+  command->footer("Example:\n  foramen extract spine.nii.gz --labels 20-24 -o shapes");
   command->add_option("inputs", options->inputs, "label maps (NIfTI, NRRD, MetaImage) or folders of them")
       ->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();

@@ -161,6 +161,7 @@ void add_inspect(CLI::App& program, Run& run) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* command =
       program.add_subcommand("inspect", "topology and quality audit of surfaces, one verdict a file");
+  command->footer("Example:\n  foramen inspect shapes/*.ply");
   command->add_option("files", options->files, "mesh files")->required();
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return inspect(*options); }; });

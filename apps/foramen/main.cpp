@@ -1,4 +1,5 @@
 #include <iostream>
+#include <string>
 
 #include "command.hpp"
 #include "foramen/core/error.hpp"
@@ -15,6 +16,7 @@ int run_program(int argc, char** argv) {
       "Example: foramen build shapes/ -o model"};
   program.set_version_flag("--version", "foramen " + version());
   program.require_subcommand(1);
+  program.option_defaults()->always_capture_default();  // help shows them
   Run run;
   add_demo(program, run);
   add_synth(program, run);
@@ -28,15 +30,23 @@ int run_program(int argc, char** argv) {
   add_modes(program, run);
   add_report(program, run);
   add_render(program, run);
+  add_completion(program, run);
+  add_manual(program, run);
+  for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
+    for (CLI::Option* option : command->get_options())
+      if (option->get_required()) option->default_str("");  // what must be given has no default to show
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     return program.exit(e) == 0 ? ExitCode::done : ExitCode::usage;
   }
-  return run();
+  const int code = run();
+  end_run(code);
+  return code;
 }
 
 int fail(const char* what, ExitCode code) {
+  end_run(code, what);
   std::cerr << "foramen: " << what << '\n';
   return code;
 }
@@ -44,6 +54,9 @@ int fail(const char* what, ExitCode code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::string command = "foramen";
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  begin_run(command);
   try {
     return run_program(argc, argv);
   } catch (const Cancelled&) {

@@ -71,6 +71,7 @@ CLI::App* add_model_command(CLI::App& program, const char* name, const char* wha
 void add_sample(CLI::App& program, Run& run) {
   auto options = std::make_shared<ModelCommand>();
   CLI::App* command = add_model_command(program, "sample", "random shapes of a model", options);
+  command->footer("Example:\n  foramen sample model -n 100 --seed 1 -o samples");
   command->add_option("-n,--samples", options->count, "number of shapes")->check(CLI::Range(1, 10000000));
   command->add_option("--seed", options->seed, "seed of all random numbers");
   command->callback([options, &run] { run = [options] { return sample(*options); }; });
@@ -80,6 +81,7 @@ void add_modes(CLI::App& program, Run& run) {
   auto options = std::make_shared<ModelCommand>();
   CLI::App* command =
       add_model_command(program, "modes", "the mean +- standard deviations along every mode", options);
+  command->footer("Example:\n  foramen modes model --sd 2 -o modes");
   command->add_option("--sd", options->sd, "number of standard deviations")->check(CLI::PositiveNumber);
   command->callback([options, &run] { run = [options] { return modes(*options); }; });
 }

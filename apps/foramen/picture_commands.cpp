@@ -96,6 +96,7 @@ void add_render(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand(
       "render",
       "pictures of a model: loops, torus map, modes, flips (under xvfb-run where there is no display)");
+  command->footer("Example:\n  xvfb-run -a foramen render model -o pictures");
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();
   auto* baseline = command->add_option("--baseline", options->baseline,
@@ -110,6 +111,7 @@ void add_render(CLI::App& program, Run& run) {
 void add_report(CLI::App& program, Run& run) {
   auto options = std::make_shared<PictureCommand>();
   CLI::App* command = program.add_subcommand("report", "writes a model's report.html again");
+  command->footer("Example:\n  foramen report model --baseline model_icp");
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("-o,--output", options->output, "another file to write");
   command->add_option("--baseline", options->baseline,

@@ -117,6 +117,7 @@ void add_repair(CLI::App& program, Run& run) {
                                              "and triangles, triangles without area, non-manifold edges and "
                                              "vertices, small holes, stray pieces, inner "
                                              "shells, orientation, self-intersections, noise handles");
+  command->footer("Example:\n  foramen repair raw.stl -o L3.ply");
   command->add_option("input", options->input, "mesh file")->required();
   command->add_option("-o,--output", options->output, "file to write, .ply or .vtp")->required();
   add_unit_option(*command, options->unit);

@@ -59,6 +59,7 @@ void write_synth_cohort(const std::vector<SynthShape>& shapes, const std::filesy
 void add_synth(CLI::App& program, Run& run) {
   auto options = std::make_shared<SynthCommand>();
   CLI::App* command = program.add_subcommand("synth", "vertebra-like shapes with known correspondence");
+  command->footer("Example:\n  foramen synth -n 14 --seed 1 -o cohort");
   add_synth_options(*command, options->synth);
   command->add_option("-o,--output", options->output, "folder to write")->required();
   add_console_options(*command, options->console);

@@ -37,7 +37,7 @@ void RunContext::check() const {
   if (stop_requested()) throw Cancelled();
 }
 
-void RunContext::step(std::string_view stage, double fraction) const {
+void RunContext::step(std::string_view stage, double fraction, std::string_view item) const {
   check();
   if (!reports_ || !state_->on_progress) return;
   if (state_->reporting.test_and_set()) return;  // another thread is reporting: this report may be dropped
@@ -45,7 +45,7 @@ void RunContext::step(std::string_view stage, double fraction) const {
     std::atomic_flag& flag;
     ~Release() { flag.clear(); }
   } release{state_->reporting};
-  state_->on_progress({std::string(stage), fraction});
+  state_->on_progress({std::string(stage), fraction, std::string(item)});
 }
 
 }  // namespace foramen

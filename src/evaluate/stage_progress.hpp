@@ -14,7 +14,11 @@ class StageProgress {
  public:
   StageProgress(const RunContext& ctx, std::string stage, int items)
       : ctx_(ctx), stage_(std::move(stage)), items_(items) {}
-  void finished_one() { ctx_.step(stage_, static_cast<double>(++finished_) / items_); }
+  void finished_one() {
+    const int finished = ++finished_;
+    ctx_.step(stage_, static_cast<double>(finished) / items_,
+              std::to_string(finished) + " of " + std::to_string(items_));
+  }
 
  private:
   const RunContext& ctx_;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "foramen/core/error.hpp"
@@ -107,7 +108,9 @@ class GroupRegistrar {
         member.failure = e.what();
       }
       member.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      ctx_.step(stage, static_cast<double>(++done) / static_cast<double>(members_.size()));
+      const int finished = ++done;
+      ctx_.step(stage, static_cast<double>(finished) / static_cast<double>(members_.size()),
+                "shape " + std::to_string(finished) + " of " + std::to_string(members_.size()));
     });
   }
 

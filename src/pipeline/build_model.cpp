@@ -129,7 +129,8 @@ Registrations register_each(const ModelBuild& build, std::vector<InputShape> inp
       failures[k] = e.what();
     }
     outcome.seconds = watch.seconds();
-    ctx.step("register", static_cast<double>(++done) / static_cast<double>(outcomes.size()));
+    ctx.step("register", static_cast<double>(++done) / static_cast<double>(outcomes.size()),
+             outcome.input.stem);
   });
   return {std::move(outcomes), std::move(failures)};
 }

@@ -80,7 +80,8 @@ std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunConte
   std::vector<ReadLabelMap> all;
   const auto files = find_label_maps(request.inputs);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    ctx.step("extract", static_cast<double>(i) / static_cast<double>(files.size()));
+    ctx.step("extract", static_cast<double>(i) / static_cast<double>(files.size()),
+             files[i].filename().string());
     try {
       all.push_back({files[i], extract_labels(files[i], request.labels, ctx)});
     } catch (const Cancelled&) {

@@ -30,7 +30,10 @@ inline Outcome run_shell(const std::string& command) {
 }
 
 /// Before a command: far less memory than lying headers claim. Sanitizers reserve terabytes: no limit then.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if !defined(__has_feature)
+#define __has_feature(feature) 0  // clang's
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer)
 inline const std::string in_three_gigabytes;
 #else
 inline const std::string in_three_gigabytes = "ulimit -v 3000000; ";

@@ -16,6 +16,7 @@ class StageStore;
 struct Progress {
   std::string stage;    ///< what is being done, e.g. "register"
   double fraction = 0;  ///< of this stage, 0 .. 1
+  std::string item;     ///< what was just finished, e.g. the name of a shape; may be empty
 };
 
 /// Copies share the stop request. Safe to use from many threads; the callback is called by one thread at a
@@ -42,7 +43,7 @@ class RunContext {
   /// Throws Cancelled after request_stop().
   void check() const;
   /// Reports progress; throws Cancelled after request_stop().
-  void step(std::string_view stage, double fraction) const;
+  void step(std::string_view stage, double fraction, std::string_view item = {}) const;
 
  private:
   struct State {
