@@ -164,11 +164,13 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
   }
 }
 
-// Adds the labels of one label map after the other to a cohort, so that one at a time is in memory.
+// Adds the labels of one label map after the other to a cohort, so that one at a time is in memory. Their
+// surfaces are made here, with the handles that noise of single voxels leaves: they are repaired whether or
+// not it is asked for.
 class LabelMapReader {
  public:
   LabelMapReader(const LabelRequest& request, const std::optional<RepairOptions>& repair, Cohort& cohort)
-      : request_(request), repair_(repair), cohort_(cohort) {}
+      : request_(request), repair_(repair.value_or(RepairOptions{})), cohort_(cohort) {}
 
   void read(const fs::path& file, const RunContext& ctx) {
     const std::string name = file.filename().string();
@@ -218,7 +220,7 @@ class LabelMapReader {
   }
 
   const LabelRequest& request_;
-  const std::optional<RepairOptions>& repair_;
+  const std::optional<RepairOptions> repair_;
   Cohort& cohort_;
   std::map<int, std::string> absent_;
   std::set<int> present_;

@@ -42,6 +42,15 @@ LabelMap three_labels() {
   return labelled_lattice({80, 32, 20}, Vec3(2, 2, 2).asDiagonal(), label_at);
 }
 
+// Label 20, a torus with a tunnel of one voxel near the rim of its tube: genus 2.
+LabelMap torus_with_tunnel() {
+  const auto label_at = [](const Vec3& p) {
+    const bool tunnel = std::abs(p.x() + 18) < 1 && std::abs(p.y()) < 1;
+    return bumpy_torus(p, 16, 4) < 0 && !tunnel ? 20 : 0;
+  };
+  return labelled_lattice({51, 51, 27}, Vec3(1, 1, 1).asDiagonal(), label_at);
+}
+
 class LabelCohort : public ::testing::Test {
  protected:
   LabelCohort() { folder_.file("spine.nii.gz", packed(nifti_bytes(three_labels()))); }
@@ -142,15 +151,17 @@ TEST_F(LabelCohort, ExtractWritesSurfacesAndTheirRecord) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(out), {}), 3) << "nothing else";
 }
 
+TEST_F(LabelCohort, ABuildRepairsTheHandlesThatVoxelsLeave) {
+  const auto file = folder_.file("holed.nii.gz", packed(nifti_bytes(torus_with_tunnel())));
+  const Cohort cohort = read_cohort({file}, LengthUnit::millimetre, ctx_);
+  ASSERT_EQ(cohort.shapes.size(), 1u);
+  EXPECT_EQ(inspect_mesh(cohort.shapes[0].mesh.soup()).genus, 1);
+  ASSERT_TRUE(cohort.shapes[0].repair);
+  EXPECT_THAT(foramen::summary(*cohort.shapes[0].repair), HasSubstr("tunnel")) << "in words";
+}
+
 TEST_F(LabelCohort, ExtractRepairsWhatIsUnfitIfAsked) {
-  // A torus with a tunnel of one voxel near the rim of its tube.
-  const auto label_at = [](const Vec3& p) {
-    const bool tunnel = std::abs(p.x() + 18) < 1 && std::abs(p.y()) < 1;
-    return bumpy_torus(p, 16, 4) < 0 && !tunnel ? 20 : 0;
-  };
-  const auto file =
-      folder_.file("holed.nii.gz",
-                   packed(nifti_bytes(labelled_lattice({51, 51, 27}, Vec3(1, 1, 1).asDiagonal(), label_at))));
+  const auto file = folder_.file("holed.nii.gz", packed(nifti_bytes(torus_with_tunnel())));
   const auto surface = [&](const std::optional<RepairOptions>& repair) {
     ExtractRequest request;
     request.inputs = {file};

@@ -60,7 +60,7 @@ std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesy
 /// Reads and audits each file: meshes in that unit, and of label maps the labels asked for. What cannot be
 /// used is left out with its reason; nothing is thrown for one bad file. Throws InvalidInput if two shapes
 /// have the same stem, or if a label named singly is in none of the label maps. \param repair  set: what the
-/// audit refuses is repaired
+/// audit refuses is repaired; surfaces of labels are in any case
 Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx,
                    const LabelRequest& labels = {},
                    const std::optional<RepairOptions>& repair = std::nullopt);
