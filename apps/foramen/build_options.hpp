@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The options of a build, which `build` and `demo` share.
+/// The options of a build, which `build`, `demo` and the Python package share.
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +12,8 @@
 
 #include "command.hpp"
 #include "foramen/pipeline/run_build.hpp"
+#include "label_options.hpp"
+#include "repair_options.hpp"
 
 namespace foramen::app {
 
@@ -35,6 +37,21 @@ struct BuildFlags {
   /// --paper sets the paper's choices; what was given by name overrides them. Throws CLI::ValidationError for
   /// an option that would have no effect. \pre the command line is parsed
   BuildOptions resolved() const;
+};
+
+/// All that decides what a build gives, beside its inputs: `build` of the program and of the Python package.
+struct BuildArguments {
+  BuildFlags flags;
+  LabelFlags label_flags;
+  std::string truth;
+  LengthUnit unit = LengthUnit::millimetre;
+  bool refit = false, resume = false, repair = false;
+  RepairOptions repair_options;
+
+  void add_to(CLI::App& command);
+  /// Throws as BuildFlags::resolved() and LabelFlags::resolved(). \pre the command line is parsed
+  BuildRequest request(const std::vector<std::string>& inputs, const std::string& output,
+                       const std::string& canonical_command) const;
 };
 
 /// Runs the build, tells the user, gives the exit code.

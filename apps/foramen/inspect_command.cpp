@@ -7,6 +7,7 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "foramen/pipeline/mesh_report_json.hpp"
 #include "foramen/pipeline/repair_record.hpp"
 #include "foramen/repair/remove_handles.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
@@ -15,10 +16,6 @@ namespace foramen::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-bool is_in_millimetres(const MeshReport& r) {
-  return r.box.diagonal() >= smallest_diagonal_mm && r.box.diagonal() <= largest_diagonal_mm;
-}
 
 // Of a surface that has more than the canal; empty where they cannot be told.
 std::optional<SurfaceHandles> handles_of(const TriangleSoup& soup, const MeshReport& r,
@@ -53,44 +50,9 @@ void print(const SurfaceHandles& handles) {
 
 ordered_json as_json(const std::string& file, const MeshReport& r,
                      const std::optional<AnatomicalSpace>& space) {
-  const auto obstacle = obstacle_to_model(r);
-  ordered_json out = {
-      {"file", file},
-      {"usable", !obstacle},
-      {"vertices", r.vertices},
-      {"triangles", r.triangles},
-      {"edges", r.edges},
-      {"closed", r.closed()},
-      {"boundary_edges", r.boundary_edges},
-      {"manifold", r.manifold()},
-      {"non_manifold_edges", r.non_manifold_edges},
-      {"non_manifold_vertices", r.non_manifold_vertices},
-      {"oriented", r.oriented()},
-      {"inward", r.inward},
-      {"components", r.components},
-      {"euler_number", r.euler_number},
-      {"genus", r.genus ? ordered_json(*r.genus) : ordered_json()},
-      {"degenerate_triangles", r.degenerate_triangles},
-      {"duplicate_triangles", r.duplicate_triangles},
-      {"duplicate_vertices", r.duplicate_vertices},
-      {"invalid_triangles", r.invalid_triangles},
-      {"non_finite_vertices", r.non_finite_vertices},
-      {"unused_vertices", r.unused_vertices},
-      {"bounding_box",
-       {{r.box.low.x(), r.box.low.y(), r.box.low.z()}, {r.box.high.x(), r.box.high.y(), r.box.high.z()}}},
-      {"diagonal", r.box.diagonal()},
-      {"area", r.area},
-      {"volume", r.volume},
-      {"mean_edge", r.mean_edge}};
+  ordered_json out = {{"file", file}};
+  out.update(mesh_report_json(r));
   if (space) out["space"] = *space == AnatomicalSpace::lps ? "LPS" : "RAS";
-  const auto likely = likely_unit(r.box.diagonal());
-  out["likely_units"] = is_in_millimetres(r) ? ordered_json("mm")
-                        : likely             ? ordered_json(name(*likely))
-                                             : ordered_json();
-  if (obstacle) {
-    out["finding"] = obstacle->finding;
-    out["remedy"] = obstacle->remedy;
-  }
   return out;
 }
 

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// What the parts of the Python module share. Arrays are numpy's, C-contiguous; lengths are in mm.
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <nlohmann/json.hpp>
+
+#include "foramen/core/mesh.hpp"
+#include "foramen/core/run_context.hpp"
+#include "foramen/io/mesh_file.hpp"
+
+namespace foramen::python {
+
+namespace py = pybind11;
+
+using PointArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using TriangleArray = py::array_t<int, py::array::c_style | py::array::forcecast>;
+
+/// (P, 3) and (T, 3) arrays as a soup and back. Throws InvalidInput for another shape.
+TriangleSoup soup_of(const PointArray& points, const TriangleArray& triangles);
+PointArray points_array(std::span<const Vec3> points);
+TriangleArray triangles_array(const std::vector<std::array<int, 3>>& triangles);
+
+/// "LPS" or "RAS", and back.
+AnatomicalSpace space_of(const std::string& name);
+std::string name_of(AnatomicalSpace space);
+
+/// JSON text for Python's json.loads. A file name may hold bytes that are no UTF-8.
+std::string text_of(const nlohmann::ordered_json& value);
+
+/// Runs long work without the interpreter's lock. `progress` (None, or called with stage, fraction, item) is
+/// called under it; what it raises, and Ctrl-C, ends the work and is raised again.
+void run_unlocked(int threads, const py::object& progress,
+                  const std::function<void(const RunContext&)>& work);
+
+void add_errors(py::module_& module);
+void add_meshes(py::module_& module);
+void add_models(py::module_& module);
+void add_runs(py::module_& module);
+
+}  // namespace foramen::python

@@ -1,0 +1,97 @@
+#include "bindings.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/pipeline/version.hpp"
+
+namespace foramen::python {
+
+TriangleSoup soup_of(const PointArray& points, const TriangleArray& triangles) {
+  if (points.ndim() != 2 || points.shape(1) != 3)
+    throw InvalidInput("points must be an array of shape (P, 3)");
+  if (triangles.ndim() != 2 || triangles.shape(1) != 3)
+    throw InvalidInput("triangles must be an array of shape (T, 3)");
+  TriangleSoup soup;
+  const auto p = points.unchecked<2>();
+  for (py::ssize_t i = 0; i < p.shape(0); ++i) soup.points.emplace_back(p(i, 0), p(i, 1), p(i, 2));
+  const auto t = triangles.unchecked<2>();
+  for (py::ssize_t i = 0; i < t.shape(0); ++i) soup.triangles.push_back({t(i, 0), t(i, 1), t(i, 2)});
+  return soup;
+}
+
+PointArray points_array(std::span<const Vec3> points) {
+  PointArray out({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
+  auto view = out.mutable_unchecked<2>();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (int k = 0; k < 3; ++k) view(static_cast<py::ssize_t>(i), k) = points[i][k];
+  return out;
+}
+
+TriangleArray triangles_array(const std::vector<std::array<int, 3>>& triangles) {
+  TriangleArray out({static_cast<py::ssize_t>(triangles.size()), py::ssize_t{3}});
+  auto view = out.mutable_unchecked<2>();
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      view(static_cast<py::ssize_t>(i), static_cast<py::ssize_t>(k)) = triangles[i][k];
+  return out;
+}
+
+AnatomicalSpace space_of(const std::string& name) {
+  if (name == "LPS") return AnatomicalSpace::lps;
+  if (name == "RAS") return AnatomicalSpace::ras;
+  throw InvalidInput("space must be LPS or RAS, not " + name);
+}
+
+std::string name_of(AnatomicalSpace space) { return space == AnatomicalSpace::lps ? "LPS" : "RAS"; }
+
+std::string text_of(const nlohmann::ordered_json& value) {
+  return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+void run_unlocked(int threads, const py::object& progress,
+                  const std::function<void(const RunContext&)>& work) {
+  std::exception_ptr raised;  // by the callback, or by Ctrl-C; one thread at a time calls it
+  const RunContext* running = nullptr;
+  const auto report = [&](const Progress& p) {
+    const py::gil_scoped_acquire lock;
+    if (raised) return;
+    try {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!progress.is_none()) progress(p.stage, p.fraction, p.item);
+    } catch (...) {
+      raised = std::current_exception();
+      running->request_stop();
+    }
+  };
+  const RunContext ctx(threads, report);
+  running = &ctx;
+  std::exception_ptr failed;
+  {
+    const py::gil_scoped_release unlocked;
+    try {
+      work(ctx);
+    } catch (...) {
+      failed = std::current_exception();
+    }
+  }
+  if (raised) std::rethrow_exception(raised);
+  if (failed) std::rethrow_exception(failed);
+}
+
+void add_errors(py::module_& module) {
+  const auto base = py::register_exception<Error>(module, "Error");
+  py::register_exception<Cancelled>(module, "Cancelled", base);
+  py::register_exception<ConvergenceError>(module, "ConvergenceError", base);
+  py::register_exception<IoError>(module, "IoError", base);
+  const auto invalid = py::register_exception<InvalidInput>(module, "InvalidInput", base);
+  py::register_exception<TopologyError>(module, "TopologyError", invalid);
+}
+
+}  // namespace foramen::python
+
+PYBIND11_MODULE(_foramen, module) {
+  using namespace foramen;
+  module.attr("version") = version();
+  python::add_errors(module);
+  python::add_meshes(module);
+  python::add_models(module);
+  python::add_runs(module);
+}
