@@ -1,5 +1,6 @@
 #include "progress_bar.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace foramen::app {
@@ -9,7 +10,7 @@ constexpr int width = 30;
 constexpr double enough_seconds = 2, enough_fraction = 0.05;  // to tell how long the rest will take
 
 std::string time_left(double seconds) {
-  const int whole = static_cast<int>(seconds + 0.5);
+  const int whole = static_cast<int>(std::lround(seconds));
   char text[40];
   if (whole < 3600)
     std::snprintf(text, sizeof text, "%d:%02d left", whole / 60, whole % 60);
