@@ -56,6 +56,7 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
 using Run = std::function<int()>;
 void add_build(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
+void add_convert(CLI::App& program, Run& run);
 void add_demo(CLI::App& program, Run& run);
 void add_evaluate(CLI::App& program, Run& run);
 void add_extract(CLI::App& program, Run& run);
