@@ -9,6 +9,9 @@
 #include "foramen/evaluate/evaluate_model.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "foramen/io/named_points.hpp"
+#include "foramen/io/scalismo_landmarks.hpp"
+#include "foramen/io/shapeworks_project.hpp"
 #include "foramen/io/statismo_file.hpp"
 #include "foramen/pipeline/atlas_file.hpp"
 #include "foramen/pipeline/metrics_file.hpp"
@@ -102,6 +105,26 @@ void write_models(const fs::path& folder) {
   write_file(folder / "metrics.json", metrics_json(evaluate_model(cohort, options, RunContext(1))));
 }
 
+void write_exchange_files(const fs::path& folder) {
+  StatismoModel model;
+  const TriangleSoup soup = testing::tetrahedron();
+  model.points = soup.points;
+  model.triangles = soup.triangles;
+  model.mean = flattened(soup.points);
+  model.basis = Eigen::MatrixXd::Identity(model.mean.size(), 1);
+  model.variance = Eigen::VectorXd::Ones(1);
+  write_statismo(folder / "model.h5.json", model);
+  const std::vector<NamedPoints> shapes{{"a", soup.points}, {"b", soup.points}};
+  write_tps(folder / "shapes.tps", shapes);
+  write_landmark_table(folder / "shapes.csv", shapes);
+  write_particles(folder / "a.particles", soup.points);
+  write_scalismo_landmarks(folder / "landmarks.json", std::vector<ScalismoLandmark>{{"0", {1, 2, 3}, "tip"}});
+  ShapeWorksSubject subject;
+  subject.name = "a";
+  subject.local_particles = "a.particles";
+  write_shapeworks(folder / "a.swproj", std::vector{subject}, soup.points.size());
+}
+
 void write_soups(const fs::path& folder) {
   const auto write = [&](const std::string& name, const TriangleSoup& soup) {
     if (soup.points.size() < 256) write_file(folder / name, fuzzing::soup_bytes(soup));
@@ -145,12 +168,13 @@ int main(int argc, char** argv) {
   }
   try {
     const std::filesystem::path folder = argv[1];
-    for (const char* target : {"mesh", "model", "repair", "label"})
+    for (const char* target : {"mesh", "model", "repair", "label", "exchange"})
       std::filesystem::create_directories(folder / target);
     foramen::write_meshes(folder / "mesh");
     foramen::write_models(folder / "model");
     foramen::write_soups(folder / "repair");
     foramen::write_label_maps(folder / "label");
+    foramen::write_exchange_files(folder / "exchange");
     return 0;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "make_corpus: %s\n", e.what());

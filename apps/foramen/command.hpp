@@ -70,6 +70,7 @@ using Run = std::function<int()>;
 void add_build(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
 void add_completion(CLI::App& program, Run& run);
+void add_convert(CLI::App& program, Run& run);
 void add_demo(CLI::App& program, Run& run);
 void add_evaluate(CLI::App& program, Run& run);
 void add_extract(CLI::App& program, Run& run);

@@ -26,6 +26,7 @@ int run_program(int argc, char** argv) {
   add_build(program, run);
   add_evaluate(program, run);
   add_compare(program, run);
+  add_convert(program, run);
   add_sample(program, run);
   add_modes(program, run);
   add_report(program, run);

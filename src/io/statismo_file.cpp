@@ -7,7 +7,9 @@
 #include <set>
 
 #include "foramen/core/error.hpp"
+#include "foramen/io/atomic_file.hpp"
 #include "foramen/io/hdf5_file.hpp"
+#include "foramen/io/hdf5_json_file.hpp"
 
 namespace foramen {
 namespace {
@@ -86,7 +88,8 @@ class ModelCheck {
   const StatismoModel& m_;
 };
 
-void write_representer(H5Writer& file, const StatismoModel& model) {
+template <class File>
+void write_representer(File& file, const StatismoModel& model) {
   file.group("/representer");
   file.attribute("/representer", "name", "vtkStandardMeshRepresenter");
   file.attribute("/representer", "version", "1.0");
@@ -101,7 +104,8 @@ void write_representer(H5Writer& file, const StatismoModel& model) {
   file.group("/representer/cellData");
 }
 
-void write_info(H5Writer& file, const StatismoModel& model) {
+template <class File>
+void write_info(File& file, const StatismoModel& model) {
   file.string("/modelinfo/build-time", model.build_time);
   if (model.scores.cols() > 0) file.matrix("/modelinfo/scores", single_precision(model.scores));
   const std::string builder = "/modelinfo/modelBuilder-0/";
@@ -114,6 +118,8 @@ void write_info(H5Writer& file, const StatismoModel& model) {
   for (const auto& [key, value] : model.parameters) file.string(builder + "parameters/" + key, value);
 }
 
+// File is H5Reader or H5JsonReader.
+template <class File>
 class ModelReader {
  public:
   explicit ModelReader(const std::filesystem::path& path) : file_(path) {}
@@ -132,8 +138,8 @@ class ModelReader {
   void check_version() const {
     if (!file_.has("/version/majorVersion") || !file_.has("/version/minorVersion"))
       file_.refuse("/version", "is missing, as in models before version 0.9, which are not read");
-    const auto major = file_.scalar<std::int32_t>("/version/majorVersion");
-    const auto minor = file_.scalar<std::int32_t>("/version/minorVersion");
+    const auto major = file_.template scalar<std::int32_t>("/version/majorVersion");
+    const auto minor = file_.template scalar<std::int32_t>("/version/minorVersion");
     if (!(major == 1 || (major == 0 && minor == 9)))
       file_.refuse("/version",
                    "is " + std::to_string(major) + "." + std::to_string(minor) + ", not 0.9 or 1.x");
@@ -149,7 +155,7 @@ class ModelReader {
   }
 
   void read_mesh() {
-    const auto points = file_.matrix<float>("/representer/points");
+    const auto points = file_.template matrix<float>("/representer/points");
     expect(points.rows == 3 && points.cols > 0 && points.cols <= most_points_, "/representer/points",
            "has " + std::to_string(points.rows) + " rows and " + std::to_string(points.cols) + " columns");
     const std::size_t n = points.cols;
@@ -159,7 +165,7 @@ class ModelReader {
       expect(model_.points.back().allFinite(), "/representer/points",
              "point " + std::to_string(i) + " is not finite");
     }
-    const auto cells = file_.matrix<std::int32_t>("/representer/cells");
+    const auto cells = file_.template matrix<std::int32_t>("/representer/cells");
     expect(cells.rows == 3 && cells.cols > 0, "/representer/cells",
            "has " + std::to_string(cells.rows) + " rows and " + std::to_string(cells.cols) + " columns");
     for (std::size_t f = 0; f < cells.cols; ++f) {
@@ -176,14 +182,14 @@ class ModelReader {
 
   void read_statistics() {
     const auto numbers = static_cast<Eigen::Index>(3 * model_.points.size());
-    model_.mean = eigen_vector(file_.vector<float>("/model/mean"));
+    model_.mean = eigen_vector(file_.template vector<float>("/model/mean"));
     expect(model_.mean.size() == numbers, "/model/mean",
            "has " + std::to_string(model_.mean.size()) + " numbers instead of " + std::to_string(numbers));
     expect(model_.mean.allFinite(), "/model/mean", "is not finite");
-    model_.variance = eigen_vector(file_.vector<float>("/model/pcaVariance"));
+    model_.variance = eigen_vector(file_.template vector<float>("/model/pcaVariance"));
     expect(model_.variance.allFinite() && (model_.variance.array() >= 0).all(), "/model/pcaVariance",
            "has a value that is negative or not finite");
-    model_.basis = eigen_matrix(file_.matrix<float>("/model/pcaBasis"));
+    model_.basis = eigen_matrix(file_.template matrix<float>("/model/pcaBasis"));
     expect(model_.basis.rows() == numbers && model_.basis.cols() == model_.variance.size(), "/model/pcaBasis",
            "has " + std::to_string(model_.basis.rows()) + " rows and " + std::to_string(model_.basis.cols()) +
                " columns instead of " + std::to_string(numbers) + " and " +
@@ -194,14 +200,14 @@ class ModelReader {
     expect(modes == 0 || (gram - Eigen::MatrixXd::Identity(modes, modes)).cwiseAbs().maxCoeff() <
                              orthonormality_tolerance,
            "/model/pcaBasis", "its columns are not orthonormal");
-    model_.noise_variance = static_cast<double>(file_.scalar<float>("/model/noiseVariance"));
+    model_.noise_variance = static_cast<double>(file_.template scalar<float>("/model/noiseVariance"));
     expect(std::isfinite(model_.noise_variance) && model_.noise_variance >= 0, "/model/noiseVariance",
            "is negative or not finite");
   }
 
   void read_weights() {
     if (!file_.has(weights_path)) return;
-    model_.landmark_weights = file_.vector<double>(weights_path);
+    model_.landmark_weights = file_.template vector<double>(weights_path);
     expect(model_.landmark_weights.size() == model_.points.size(), weights_path,
            "has " + std::to_string(model_.landmark_weights.size()) + " numbers instead of " +
                std::to_string(model_.points.size()));
@@ -227,7 +233,7 @@ class ModelReader {
   // A single zero means none in files of statismo.
   void read_scores() {
     if (!file_.has("/modelinfo/scores")) return;
-    const Eigen::MatrixXd scores = eigen_matrix(file_.matrix<float>("/modelinfo/scores"));
+    const Eigen::MatrixXd scores = eigen_matrix(file_.template matrix<float>("/modelinfo/scores"));
     if (scores.size() == 0 || (scores.size() == 1 && scores(0, 0) == 0)) return;
     expect(scores.rows() == model_.variance.size() && scores.allFinite(), "/modelinfo/scores",
            "has " + std::to_string(scores.rows()) +
@@ -236,27 +242,41 @@ class ModelReader {
   }
 
   static constexpr std::size_t most_points_ = std::numeric_limits<int>::max() / 3;
-  H5Reader file_;
+  File file_;
   StatismoModel model_;
 };
+
+// File is H5Writer or H5JsonWriter.
+template <class File>
+void write_model(File& file, const StatismoModel& model) {
+  file.template scalar<std::int32_t>("/version/majorVersion", 0);
+  file.template scalar<std::int32_t>("/version/minorVersion", 9);
+  write_representer(file, model);
+  file.template vector<float>("/model/mean", single_precision(model.mean));
+  file.matrix("/model/pcaBasis", single_precision(model.basis));
+  file.template vector<float>("/model/pcaVariance", single_precision(model.variance));
+  file.scalar("/model/noiseVariance", static_cast<float>(model.noise_variance));
+  if (!model.landmark_weights.empty()) file.template vector<double>(weights_path, model.landmark_weights);
+  write_info(file, model);
+}
+
+bool is_json(const std::filesystem::path& path) { return path.extension() == ".json"; }
 
 }  // namespace
 
 void write_statismo(const std::filesystem::path& path, const StatismoModel& model) {
   ModelCheck(path, model).run();
-  write_h5(path, [&](H5Writer& file) {
-    file.scalar<std::int32_t>("/version/majorVersion", 0);
-    file.scalar<std::int32_t>("/version/minorVersion", 9);
-    write_representer(file, model);
-    file.vector<float>("/model/mean", single_precision(model.mean));
-    file.matrix("/model/pcaBasis", single_precision(model.basis));
-    file.vector<float>("/model/pcaVariance", single_precision(model.variance));
-    file.scalar("/model/noiseVariance", static_cast<float>(model.noise_variance));
-    if (!model.landmark_weights.empty()) file.vector<double>(weights_path, model.landmark_weights);
-    write_info(file, model);
-  });
+  if (is_json(path)) {
+    H5JsonWriter file;
+    write_model(file, model);
+    write_file(path, file.text());
+  } else {
+    write_h5(path, [&](H5Writer& file) { write_model(file, model); });
+  }
 }
 
-StatismoModel read_statismo(const std::filesystem::path& path) { return ModelReader(path).read(); }
+StatismoModel read_statismo(const std::filesystem::path& path) {
+  return is_json(path) ? ModelReader<H5JsonReader>(path).read() : ModelReader<H5Reader>(path).read();
+}
 
 }  // namespace foramen

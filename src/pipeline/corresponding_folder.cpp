@@ -23,6 +23,7 @@ CorrespondingFolder read_corresponding(const std::filesystem::path& folder, Leng
     for (Vec3& p : read.soup.points) p *= millimetres_per(unit);
     result.names.push_back(file.stem().string());
     result.shapes.push_back(std::move(read.soup.points));
+    result.spaces.push_back(read.space.value_or(AnatomicalSpace::lps));
   }
   return result;
 }

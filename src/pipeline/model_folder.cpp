@@ -10,6 +10,7 @@
 #include "foramen/io/statismo_file.hpp"
 #include "foramen/io/table_file.hpp"
 #include "foramen/pipeline/atlas_file.hpp"
+#include "pipeline/statismo_model.hpp"
 
 namespace foramen {
 namespace {
@@ -21,15 +22,6 @@ std::string mode_file(int mode, double sd) {
   char text[64];
   std::snprintf(text, sizeof text, "mode%02d_%s%gsd.ply", mode + 1, sd < 0 ? "minus" : "plus", std::abs(sd));
   return text;
-}
-
-/// Scores of aligned shapes, modes x shapes, in standard deviations.
-Eigen::MatrixXd scores_of(const ShapeModel& model, const std::vector<Eigen::VectorXd>& shapes) {
-  Eigen::MatrixXd scores(model.modes(), std::ssize(shapes));
-  for (std::size_t i = 0; i < shapes.size(); ++i)
-    scores.col(static_cast<Eigen::Index>(i)) =
-        model.scores(shapes[i], model.modes()).cwiseQuotient(model.variance().cwiseSqrt());
-  return scores;
 }
 
 /// The shapes of these scores, given in standard deviations.
@@ -48,21 +40,9 @@ std::vector<Eigen::VectorXd> aligned_shapes(const ModelBuild& build) {
   return shapes;
 }
 
-/// The layout knows modes that are orthonormal without weights only: it gets the same distribution of shapes
-/// in such modes, and the weights beside.
-StatismoModel statismo_model(const ModelBuild& build, const std::string& command) {
-  const ShapeModel model = build.model.weights().empty() ? build.model : reweighted(build.model, {});
-  StatismoModel file;
-  file.points = unflattened(model.mean());
-  file.triangles = model.triangles();
-  file.mean = model.mean();
-  file.basis = model.basis();
-  file.variance = model.variance();
-  file.landmark_weights = build.model.weights();
-  file.scores = scores_of(model, aligned_shapes(build));
+StatismoModel file_of(const ModelBuild& build, const std::string& command) {
+  StatismoModel file = statismo_model(build.model, aligned_shapes(build), command);
   for (const ShapeOutcome& shape : build.shapes) file.shape_uris.push_back(source_of(shape.input));
-  file.build_time = build_time();
-  file.parameters = {{"command", command}};
   return file;
 }
 
@@ -134,7 +114,7 @@ void write_model_files(const fs::path& folder, const ModelBuild& build, const st
   write_ply(folder / "mean.ply", {unflattened(build.model.mean()), build.landmarks.triangles}, space);
   write_modes(folder / "modes", build.model, 2, space);
   write_scores(folder / "scores.csv", build);
-  write_statismo(folder / "model.h5", statismo_model(build, command));
+  write_statismo(folder / "model.h5", file_of(build, command));
   write_atlas(folder / "atlas.h5", atlas_of(build));
 }
 

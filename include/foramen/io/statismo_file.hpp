@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Shape models as HDF5 in the layout of statismo 0.9, which statismo, Scalismo and ShapeWorks' users read.
+/// Shape models in the layout of statismo 0.9: as HDF5, which statismo and Scalismo read, or the same
+/// contents as JSON (model.h5.json), which Scalismo reads and writes.
 
 #include <array>
 #include <filesystem>
@@ -33,14 +34,15 @@ struct StatismoModel {
   std::vector<std::pair<std::string, std::string>> parameters;  ///< unique keys without '/'
 };
 
-/// Writes single precision (other readers insist on it), in one piece (write_file_with); the same model gives
-/// the same bytes. The extension should be .h5: Scalismo reads no other. Throws InvalidInput if sizes do not
-/// agree, a value is not finite or a corner does not exist; IoError.
+/// Writes single precision (other readers insist on it), whole or not at all; the same model gives the same
+/// bytes. JSON if the name ends in .json, HDF5 otherwise. It should be .h5.json or .h5: Scalismo reads no
+/// other. Throws InvalidInput if sizes do not agree, a value is not finite or a corner does not exist;
+/// IoError.
 void write_statismo(const std::filesystem::path& path, const StatismoModel& model);
 
-/// Reads version 0.9 and 1.x of a triangle-mesh model. Throws IoError naming file, dataset and what is wrong
-/// with it: missing, of another shape, not finite, negative variances, a basis whose columns are not
-/// orthonormal (1e-3), weights that are not positive.
+/// Reads version 0.9 and 1.x of a triangle-mesh model, as JSON if the name ends in .json. Throws IoError
+/// naming file, dataset and what is wrong with it: missing, of another shape, not finite, negative variances,
+/// a basis whose columns are not orthonormal (1e-3), weights that are not positive.
 StatismoModel read_statismo(const std::filesystem::path& path);
 
 }  // namespace foramen

@@ -8,6 +8,7 @@
 
 #include "foramen/core/units.hpp"
 #include "foramen/evaluate/truth_error.hpp"
+#include "foramen/io/mesh_file.hpp"
 
 namespace foramen {
 
@@ -16,6 +17,7 @@ struct CorrespondingFolder {
   std::vector<std::string> names;  ///< stems, sorted
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::vector<Vec3>> shapes;  ///< mm
+  std::vector<AnatomicalSpace> spaces;    ///< of each; untagged is LPS
 };
 CorrespondingFolder read_corresponding(const std::filesystem::path& folder,
                                        LengthUnit unit = LengthUnit::millimetre);

@@ -1,0 +1,140 @@
+#include <array>
+#include <cmath>
+
+#include "foramen/core/error.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "io/named_points.hpp"
+
+namespace foramen {
+namespace {
+
+using io_detail::in_quotes;
+using io_detail::lower_case;
+using io_detail::to_number;
+
+// Readers search whole lines for these, in any case.
+constexpr std::array words_readers_drop{"=", "comment=", "curves=", "variables", "chain", "radii", "scale"};
+
+void check_name(const std::filesystem::path& path, const std::string& name) {
+  const auto refuse = [&](const std::string& what) {
+    throw InvalidInput("cannot write " + path.string() + ": the name " + in_quotes(name) + " " + what +
+                       "; rename the shape");
+  };
+  if (name.empty() || name.find_first_of("\r\n") != std::string::npos) refuse("is empty or has a line break");
+  for (const char* word : words_readers_drop)
+    if (lower_case(name).find(word) != std::string::npos)
+      refuse("has '" + std::string(word) + "' in it, which readers of TPS take for something else");
+}
+
+class TpsParser {
+ public:
+  explicit TpsParser(const io_detail::Source& source) : source_(source), lines_(source.bytes) {}
+
+  std::vector<NamedPoints> parse() {
+    while (lines_.next_filled()) parse_line(lines_.line());
+    finish_specimen();
+    io_detail::check_read(source_, specimens_);
+    apply_scales();
+    return std::move(specimens_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& found, const std::string& remedy) const {
+    source_.refuse(lines_.place() + ": " + found, remedy);
+  }
+
+  void parse_line(std::string_view line) {
+    const auto equals = line.find('=');
+    if (equals == std::string_view::npos)
+      refuse("expected KEY=value, found " + in_quotes(line), missing_remedy);
+    const std::string key = lower_case(io_detail::TokenCursor(line.substr(0, equals)).rest());
+    const std::string_view value = io_detail::TokenCursor(line.substr(equals + 1)).rest();
+    if (key == "lm3")
+      read_points(value);
+    else if (key == "lm")
+      refuse("two-dimensional landmarks (LM=)", "only three-dimensional ones (LM3=) are read");
+    else if (key == "curves" || key == "points")
+      refuse("curves", "export their points as landmarks, or leave them out");
+    else if (specimens_.empty())
+      return;  // a comment before the first specimen
+    else if (key == "id")
+      specimens_.back().name = value;
+    else if (key == "image")
+      image_ = std::filesystem::path(value).stem().string();
+    else if (key == "scale")
+      read_scale(value);
+  }
+
+  void read_points(std::string_view value) {
+    finish_specimen();
+    const auto count = io_detail::to_integer(value);
+    // A point takes six bytes at least: no memory is taken for what the file cannot hold.
+    if (!count || *count <= 0 || static_cast<std::uint64_t>(*count) > lines_.remaining() / 5)
+      refuse("LM3=" + std::string(value.substr(0, 20)) + " is no number of points that could follow",
+             io_detail::remedy_export_again);
+    specimens_.emplace_back();
+    for (std::int64_t i = 0; i < *count; ++i) {
+      if (!lines_.next_filled()) refuse("the file ends within a specimen", io_detail::remedy_export_again);
+      const auto point = io_detail::point_of(lines_.line());
+      if (!point) refuse("expected three numbers, found " + in_quotes(lines_.line()), missing_remedy);
+      specimens_.back().points.push_back(*point);
+    }
+  }
+
+  void read_scale(std::string_view value) {
+    const auto scale = to_number(value);
+    if (!scale || !(*scale > 0 && std::isfinite(*scale)))
+      refuse("SCALE=" + in_quotes(value) + " is no positive number", "correct it");
+    scales_.resize(specimens_.size(), 0);
+    scales_.back() = *scale;
+  }
+
+  void finish_specimen() {
+    if (specimens_.empty()) return;
+    std::string& name = specimens_.back().name;
+    if (name.empty()) name = image_.empty() ? "specimen" + std::to_string(specimens_.size()) : image_;
+    image_.clear();
+  }
+
+  // None or all, since some in mm and some in pixels would go unseen.
+  void apply_scales() {
+    if (scales_.empty()) return;
+    scales_.resize(specimens_.size(), 0);
+    for (std::size_t i = 0; i < specimens_.size(); ++i) {
+      if (scales_[i] == 0)
+        source_.refuse(in_quotes(specimens_[i].name) + " has no SCALE=, others have",
+                       "give it to all or none");
+      for (Vec3& point : specimens_[i].points) point *= scales_[i];
+    }
+  }
+
+  static constexpr const char* missing_remedy =
+      "estimate missing points first (NA is not read), and check the number after LM3=";
+  const io_detail::Source& source_;
+  io_detail::LineCursor lines_;
+  std::vector<NamedPoints> specimens_;
+  std::vector<double> scales_;  // 0: none
+  std::string image_;
+};
+
+}  // namespace
+
+void write_tps(const std::filesystem::path& path, std::span<const NamedPoints> specimens) {
+  io_detail::check_specimens(path, specimens);
+  std::string out;
+  for (const NamedPoints& specimen : specimens) {
+    check_name(path, specimen.name);
+    out += "LM3=" + std::to_string(specimen.points.size()) + "\n";
+    for (const Vec3& point : specimen.points) out += io_detail::text_of(point) + "\n";
+    out += "ID=" + specimen.name + "\n";
+  }
+  write_file(path, out);
+}
+
+std::vector<NamedPoints> read_tps(const std::filesystem::path& path) {
+  const std::string bytes = io_detail::read_bytes(path);
+  const io_detail::Source source{path.string(), bytes};
+  return TpsParser(source).parse();
+}
+
+}  // namespace foramen
