@@ -60,7 +60,7 @@ TEST(Tps, FilesOfOthers) {
 
 TEST(Tps, WhatIsNoneIsRefused) {
   EXPECT_THAT(refused_tps("LM=2\n1 2\n3 4\n"), HasSubstr("two-dimensional"));
-  EXPECT_THAT(refused_tps("LM3=2\n1 2 3\n"), HasSubstr("ends within"));
+  EXPECT_THAT(refused_tps("LM3=2\n1.00000 2.00000 3.00000\n"), HasSubstr("ends within"));
   EXPECT_THAT(refused_tps("LM3=1\n1 NA 3\n"), HasSubstr("line 2"));
   EXPECT_THAT(refused_tps("LM3=1\n1 2 3 4\n"), HasSubstr("line 2"));
   EXPECT_THAT(refused_tps("LM3=1\n1 2 3\n4 5 6\n"), HasSubstr("line 3"));

@@ -73,7 +73,7 @@ TEST_F(Convert, ShapesComeBackTheSame) {
   for (const char* name : {"a.tps", "a.csv", "study/a.swproj"}) {
     SCOPED_TRACE(name);
     EXPECT_EQ(converted(meshes(), file(name)).shapes, 5U);
-    const fs::path back = file("back_" + fs::path(name).extension().string());
+    const fs::path back = file("back_" + fs::path(name).extension().string().substr(1));
     converted(file(name), back, with_triangles);
     expect_the_same_meshes(back);
   }
