@@ -56,11 +56,15 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
 using Run = std::function<int()>;
 void add_build(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);
+void add_complete(CLI::App& program, Run& run);
 void add_demo(CLI::App& program, Run& run);
 void add_evaluate(CLI::App& program, Run& run);
 void add_extract(CLI::App& program, Run& run);
 void add_inspect(CLI::App& program, Run& run);
+void add_measure(CLI::App& program, Run& run);
 void add_modes(CLI::App& program, Run& run);
+void add_project(CLI::App& program, Run& run);
+void add_reconstruct(CLI::App& program, Run& run);
 void add_render(CLI::App& program, Run& run);
 void add_repair(CLI::App& program, Run& run);
 void add_report(CLI::App& program, Run& run);
