@@ -50,12 +50,8 @@ SimilarityTransform composed(const SimilarityTransform& second, const Similarity
   return {second.scale * first.scale, second.rotation * first.rotation, second(first.translation)};
 }
 
-std::vector<OrientedPoint> moved(std::vector<OrientedPoint> points, const SimilarityTransform& by) {
-  for (OrientedPoint& p : points) {
-    p.position = by(p.position);
-    p.normal = by.rotation * p.normal;
-  }
-  return points;
+OrientedPoint moved(const OrientedPoint& p, const SimilarityTransform& by) {
+  return {by(p.position), by.rotation * p.normal, p.at_border};
 }
 
 OrientedPointIndex index_of(const std::vector<OrientedPoint>& points, double normal_weight) {
@@ -87,6 +83,7 @@ class PartFit {
         mean_mesh_(build_mesh({unflattened(model.mean()), model.triangles()})),
         samples_(sampled(part, options.samples, sample_seed)),
         targets_(sampled(part, targets_on_part, target_seed)),
+        targets_index_(index_of(targets_, options.normal_weight)),
         area_per_sample_(total_area(part) / options.samples) {}
 
   /// From one pose, the modes alone.
@@ -175,8 +172,8 @@ class PartFit {
     const Mesh shape = mean_mesh_.with_positions(unflattened(state.shape));
     const VertexMap<Vec3> normals = vertex_normals(shape);
     const OrientedPointIndex landmarks(shape.positions(), normals.values(), options_.normal_weight);
-    const std::vector<OrientedPoint> samples = moved(samples_, state.to_model),
-                                     targets = moved(targets_, state.to_model);
+    std::vector<OrientedPoint> samples;
+    for (const OrientedPoint& p : samples_) samples.push_back(moved(p, state.to_model));
     Matches result;
     result.seen.assign(static_cast<std::size_t>(shape.vertex_count()), false);
 
@@ -203,12 +200,14 @@ class PartFit {
       if (take(near[i].index, samples[i], distances[i], area_per_sample_)) ++matched;
     result.matched_share = static_cast<double>(matched) / static_cast<double>(samples.size());
 
-    const OrientedPointIndex part = index_of(targets, options_.normal_weight);
+    const SimilarityTransform back = state.to_model.inverse();
     const VertexMap<double> areas = vertex_areas(shape);
     for (VertexId v : shape.vertices()) {
-      const NearPoint partner = part.nearest(shape.position(v), normals[v]);
-      const OrientedPoint& target = targets[static_cast<std::size_t>(partner.index)];
-      if (!target.at_border) take(v.index, target, std::sqrt(partner.squared_distance), areas[v]);
+      const NearPoint partner = targets_index_.nearest(back(shape.position(v)), back.rotation * normals[v]);
+      const OrientedPoint& target = targets_[static_cast<std::size_t>(partner.index)];
+      if (!target.at_border)
+        take(v.index, moved(target, state.to_model),
+             state.to_model.scale * std::sqrt(partner.squared_distance), areas[v]);
     }
     return result;
   }
@@ -227,6 +226,7 @@ class PartFit {
   const CompleteSurfaceOptions& options_;
   Mesh mean_mesh_;
   std::vector<OrientedPoint> samples_, targets_;
+  OrientedPointIndex targets_index_;
   double area_per_sample_;
 };
 

@@ -1,9 +1,11 @@
 #include "foramen/apply/part_surface.hpp"
 
+#include <array>
 #include <map>
 #include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"

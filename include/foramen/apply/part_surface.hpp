@@ -7,9 +7,10 @@
 namespace foramen {
 
 /// The triangles as a manifold mesh, usually open: triangles without area are dropped, vertices that no
-/// triangle uses too, and a vertex whose triangles form several fans becomes several vertices at its place.
-/// Throws InvalidInput where no triangle is left, and what build_mesh() throws: an edge with more than two
-/// triangles, or two of the same direction.
+/// triangle uses too, and where triangles do not form one sheet they are taken apart. A vertex whose
+/// triangles form several fans becomes several vertices at its place; of more than two triangles at an edge,
+/// or two of the same direction, two that fit together stay joined. Throws InvalidInput where no triangle is
+/// left or one uses a vertex that is not there.
 Mesh part_surface(const TriangleSoup& soup);
 
 }  // namespace foramen
