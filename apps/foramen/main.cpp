@@ -29,6 +29,10 @@ int run_program(int argc, char** argv) {
   add_convert(program, run);
   add_sample(program, run);
   add_modes(program, run);
+  add_reconstruct(program, run);
+  add_project(program, run);
+  add_complete(program, run);
+  add_measure(program, run);
   add_report(program, run);
   add_render(program, run);
   add_completion(program, run);

@@ -1,3 +1,4 @@
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -5,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "foramen/core/parallel.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 
@@ -39,13 +41,14 @@ int sample(const ModelCommand& command) {
   const RunContext ctx = command.console.context();
   fs::create_directories(command.output);
   const Rng root(command.seed);
-  for (int i = 0; i < command.count; ++i) {
-    ctx.step("sample", static_cast<double>(i) / command.count);
+  std::atomic<int> done{0};
+  parallel_for(command.count, ctx, [&](int i) {
     Rng rng = root.fork(static_cast<std::uint64_t>(i));
     const Eigen::VectorXd shape = loaded.model.reconstruct(loaded.model.draw(rng));
     write_ply(fs::path(command.output) / sample_name(i), {unflattened(shape), loaded.model.triangles()},
               loaded.space);
-  }
+    ctx.step("sample", static_cast<double>(++done) / command.count);
+  });
   tell_written(command, command.count);
   return ExitCode::done;
 }

@@ -52,7 +52,7 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   result.alignment = to_reference;
   member.to_template = result.alignment.transform;
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
-  member.bent = bent_onto(aligned, to, options_.first, {}, {});
+  member.bent = bent_onto(aligned, to, options_.first, {}, member.prior);
 
   const Mesh carried = bent_back(aligned, to.surface, member.bent);
   FirstMap first = first_map(carried, aligned, reference_.loops, options_.initial_map, options_.edge_cost);

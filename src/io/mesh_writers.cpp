@@ -70,16 +70,36 @@ std::string float_coordinates(const TriangleSoup& soup) {
   return bytes;
 }
 
+std::string float_rows(const TriangleSoup& soup, std::span<const VertexScalar> scalars) {
+  std::string bytes;
+  bytes.reserve(4 * (3 + scalars.size()) * soup.points.size());
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    for (int k = 0; k < 3; ++k) append_little_endian(bytes, static_cast<float>(soup.points[v][k]));
+    for (const VertexScalar& scalar : scalars)
+      append_little_endian(bytes, static_cast<float>(scalar.values[v]));
+  }
+  return bytes;
+}
+
 }  // namespace
 
-void write_ply(const std::filesystem::path& path, const TriangleSoup& soup, AnatomicalSpace space) {
+void write_ply(const std::filesystem::path& path, const TriangleSoup& soup, AnatomicalSpace space,
+               std::span<const VertexScalar> scalars) {
   io_detail::check_writable(path, soup);
+  std::string properties;
+  for (const VertexScalar& scalar : scalars) {
+    if (scalar.values.size() != soup.points.size())
+      throw InvalidInput("cannot write " + path.string() + ": " + scalar.name + " has " +
+                         std::to_string(scalar.values.size()) + " values for " +
+                         std::to_string(soup.points.size()) + " points");
+    properties += "property float " + scalar.name + "\n";
+  }
   std::string out =
       "ply\nformat binary_little_endian 1.0\ncomment SPACE=" + std::string(io_detail::name(space)) +
       "\nelement vertex " + std::to_string(soup.points.size()) +
-      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+      "\nproperty float x\nproperty float y\nproperty float z\n" + properties + "element face " +
       std::to_string(soup.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  out += float_coordinates(soup);
+  out += scalars.empty() ? float_coordinates(soup) : float_rows(soup, scalars);
   out.reserve(out.size() + 13 * soup.triangles.size());
   for (const auto& triangle : soup.triangles) {
     out += '\3';

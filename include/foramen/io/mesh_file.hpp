@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,17 @@ const std::vector<std::string>& mesh_extensions();
 /// very same coordinates are welded. Throws IoError naming the file, what was found, where, and what to do.
 MeshFile read_mesh(const std::filesystem::path& path);
 
+/// A number for every point, by a name without blanks.
+struct VertexScalar {
+  std::string name;
+  std::vector<double> values;
+};
+
 /// Binary little-endian PLY: float32 coordinates, `vertex_indices`, LF line ends, one SPACE comment
-/// (INTEROP 3.6).
+/// (INTEROP 3.6). Scalars become float32 properties of the vertices, after the coordinates; viewers colour by
+/// them, other readers pass over them. Throws InvalidInput for a scalar that has not one value per point.
 void write_ply(const std::filesystem::path& path, const TriangleSoup& soup,
-               AnatomicalSpace space = AnatomicalSpace::lps);
+               AnatomicalSpace space = AnatomicalSpace::lps, std::span<const VertexScalar> scalars = {});
 
 /// VTK XML PolyData (ASCII-free appended-free inline base64 binary), with a SPACE field. Needs no VTK.
 void write_vtp(const std::filesystem::path& path, const TriangleSoup& soup,

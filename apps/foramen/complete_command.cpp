@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "foramen/apply/complete_surface.hpp"
+#include "foramen/apply/part_surface.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "foramen/io/mesh_file.hpp"
+#include "foramen/io/statismo_file.hpp"
+#include "foramen/pipeline/usable_model.hpp"
+#include "repair_options.hpp"
+
+namespace foramen::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+// Another pose fits nearly as well: within this factor of the distance.
+constexpr double ambiguous_factor = 1.1;
+
+struct CompleteCommand {
+  std::string model, surface, output;
+  LengthUnit unit = LengthUnit::millimetre;
+  CompleteSurfaceOptions options;
+  Console console;
+};
+
+struct Part {
+  Mesh mesh;  // mm
+  AnatomicalSpace space = AnatomicalSpace::lps;
+};
+
+Part read_part(const fs::path& file, LengthUnit unit) {
+  MeshFile read = read_mesh(file);
+  for (Vec3& p : read.soup.points) p *= millimetres_per(unit);
+  try {
+    Part part{part_surface(read.soup), read.space.value_or(AnatomicalSpace::lps)};
+    if (const double diagonal = bounding_box(part.mesh.positions()).diagonal();
+        diagonal > largest_diagonal_mm)
+      throw InvalidInput("its bounding box has a diagonal of " + std::to_string(diagonal) +
+                         " mm, which is no vertebra's; give the unit of the file with --units");
+    return part;
+  } catch (const TopologyError& e) {
+    throw TopologyError(file.string() + ": " + e.what());
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(file.string() + ": " + e.what());
+  }
+}
+
+void write_posterior(const fs::path& path, const ShapeDistribution& shape, const UsableModel& model) {
+  const ShapeModel modes = principal_model(shape, model.landmarks.triangles);
+  StatismoModel file;
+  file.points = unflattened(modes.mean());
+  file.triangles = modes.triangles();
+  file.mean = modes.mean();
+  file.basis = modes.basis();
+  file.variance = modes.variance();
+  file.build_time = build_time();
+  file.parameters = {{"command", "foramen complete"}};
+  write_statismo(path, file);
+}
+
+double mean_where(const std::vector<double>& values, const std::vector<bool>& seen, bool wanted) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (seen[i] == wanted) {
+      sum += values[i];
+      ++count;
+    }
+  return count > 0 ? sum / count : 0;
+}
+
+int complete(const CompleteCommand& command) {
+  const RunContext ctx = command.console.context();
+  const UsableModel model = read_usable_model(command.model);
+  const Part part = read_part(command.surface, command.unit);
+  CompleteSurfaceOptions options = command.options;
+  options.scale = model.scale;
+  ctx.step("complete", 0);
+  const CompletedSurface completed = complete_surface(part.mesh, model.aligned.model, ctx, options);
+  ctx.step("complete", 1);
+
+  const std::vector<double> deviations = standard_deviations(completed.shape);
+  const std::vector<VertexScalar> scalars{
+      {"standard_deviation_mm", deviations},
+      {"seen", std::vector<double>(completed.seen.begin(), completed.seen.end())}};
+  TriangleSoup soup{unflattened(completed.shape.mean), model.landmarks.triangles};
+  for (Vec3& p : soup.points) p /= millimetres_per(command.unit);
+  const fs::path folder = command.output;
+  fs::create_directories(folder);
+  write_ply(folder / "completed.ply", soup, part.space, scalars);
+  write_posterior(folder / "posterior.h5", completed.shape, model);
+
+  const auto seen = std::count(completed.seen.begin(), completed.seen.end(), true);
+  const double seen_share = static_cast<double>(seen) / static_cast<double>(completed.seen.size());
+  const ordered_json json{
+      {"surface", fs::path(command.surface).filename().string()},
+      {"distance_mm", completed.distance_mm},
+      {"matched_share", completed.matched_share},
+      {"seen_share", seen_share},
+      {"standard_deviation_seen_mm", mean_where(deviations, completed.seen, true)},
+      {"standard_deviation_unseen_mm", mean_where(deviations, completed.seen, false)},
+      {"second_best_pose_mm", std::isfinite(completed.second_best_mm) ? ordered_json(completed.second_best_mm)
+                                                                      : ordered_json(nullptr)}};
+  write_file(folder / "complete.json", json.dump(2) + "\n");
+  if (completed.second_best_mm < ambiguous_factor * completed.distance_mm)
+    command.console.warn("another pose fits nearly as well (" + std::to_string(completed.second_best_mm) +
+                         " mm against " + std::to_string(completed.distance_mm) + " mm): look at " +
+                         (folder / "completed.ply").string());
+  if (command.console.json) std::cout << json.dump(2) << '\n';
+  char text[200];
+  std::snprintf(text, sizeof text,
+                ": mean distance to the part %.2f mm; %.0f %% of the landmarks seen; standard deviation %.2f "
+                "mm where seen, %.2f mm elsewhere",
+                completed.distance_mm, 100 * seen_share, mean_where(deviations, completed.seen, true),
+                mean_where(deviations, completed.seen, false));
+  command.console.say((folder / "completed.ply").string() + text);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_complete(CLI::App& program, Run& run) {
+  auto options = std::make_shared<CompleteCommand>();
+  CLI::App* command = program.add_subcommand(
+      "complete",
+      "the whole of a partial or damaged surface, open or closed, in any pose: the model given what is seen, "
+      "its mean with the standard deviation everywhere, and the posterior as a model to sample\n"
+      "Example: foramen complete model damaged.ply -o completed");
+  command->add_option("model", options->model, "folder of a model")->required();
+  command->add_option("surface", options->surface, "mesh file, its triangles wound outward")->required();
+  command->add_option("-o,--output", options->output, "folder to write")->required();
+  command
+      ->add_option("--noise", options->options.noise_mm,
+                   "standard deviation of the surface about the shape [mm]")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--beyond-modes", options->options.beyond_modes,
+          "variance of smooth displacements that no mode has, as a share of the prior's; 0: the modes "
+          "alone")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  add_unit_option(*command, options->unit);
+  add_console_options(*command, options->console);
+  command->callback([options, &run] { run = [options] { return complete(*options); }; });
+}
+
+}  // namespace foramen::app

@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "foramen/apply/project_shape.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/core/parallel.hpp"
+#include "foramen/io/atomic_file.hpp"
+#include "foramen/io/table_file.hpp"
+#include "foramen/pipeline/read_cohort.hpp"
+#include "foramen/pipeline/usable_model.hpp"
+#include "foramen/spatial/surface_distance.hpp"
+#include "repair_options.hpp"
+
+namespace foramen::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct ProjectCommand {
+  std::string model, output;
+  std::vector<std::string> surfaces, leave_out;
+  LengthUnit unit = LengthUnit::millimetre;
+  Console console;
+};
+
+// What became of one surface.
+struct Projected {
+  InputShape input;
+  std::string failure;  // empty: none
+  std::vector<Vec3> landmarks;
+  ProjectedShape shape;
+  std::vector<std::string> left_out;      // training shapes
+  SurfaceDistance representation, fit;    // of the surface to its landmarks' mesh and to the fit
+  std::optional<SurfaceDistance> unseen;  // to the fit of the model without those left out
+};
+
+class Projector {
+ public:
+  Projector(const ProjectCommand& command, const RunContext& ctx)
+      : command_(command), model_(read_usable_model(command.model)), registrar_(registrar_of(model_, ctx)) {
+    if (!command.leave_out.empty()) without(command.leave_out);  // refused before the work begins
+  }
+
+  Projected operator()(const fs::path& file, const RunContext& ctx) const {
+    Projected result;
+    result.input = read_shape(file, command_.unit);
+    const Mesh& surface = result.input.mesh;
+    result.landmarks = registrar_.landmarks_on(surface, ctx);
+    result.shape = project_shape(result.landmarks, model_.aligned, model_.scale);
+    const TriangleTree tree(surface);
+    const auto distance_to = [&](const std::vector<Vec3>& points) {
+      return surface_distance(tree, TriangleTree(build_mesh({points, model_.landmarks.triangles})));
+    };
+    result.representation = distance_to(result.landmarks);
+    result.fit = distance_to(result.shape.fit);
+    result.left_out = command_.leave_out;
+    const auto& names = model_.names;
+    if (result.left_out.empty() && std::find(names.begin(), names.end(), result.input.stem) != names.end())
+      result.left_out = {result.input.stem};
+    if (!result.left_out.empty())
+      result.unseen =
+          distance_to(project_shape(result.landmarks, without(result.left_out), model_.scale).fit);
+    return result;
+  }
+
+  const UsableModel& model() const { return model_; }
+
+ private:
+  AlignedModel without(const std::vector<std::string>& names) const {
+    return model_without(model_.aligned, model_.names, names, model_.scale);
+  }
+
+  const ProjectCommand& command_;
+  UsableModel model_;
+  MeanRegistrar registrar_;
+};
+
+// Distances of points to a surface, mm.
+std::vector<double> distances_to(const TriangleTree& surface, std::span<const Vec3> points) {
+  std::vector<double> distances;
+  distances.reserve(points.size());
+  for (const Vec3& p : points) distances.push_back(std::sqrt(surface.closest(p).squared_distance));
+  return distances;
+}
+
+void write_meshes(const Projected& p, const UsableModel& model, const ProjectCommand& command) {
+  const fs::path folder = command.output;
+  const std::string file = p.input.stem + ".ply";
+  const AnatomicalSpace space = p.input.space;
+  const auto& triangles = model.landmarks.triangles;
+  const auto in_unit = [&](std::span<const Vec3> points) {
+    std::vector<Vec3> scaled(points.begin(), points.end());
+    for (Vec3& q : scaled) q /= millimetres_per(command.unit);
+    return scaled;
+  };
+  const TriangleTree surface(p.input.mesh), fit(build_mesh({p.shape.fit, triangles}));
+  const VertexScalar of_fit{"distance_mm", distances_to(surface, p.shape.fit)},
+      of_surface{"distance_mm", distances_to(fit, p.input.mesh.positions())};
+  write_ply(folder / "corresponding" / file, {in_unit(p.landmarks), triangles}, space);
+  write_ply(folder / "fit" / file, {in_unit(p.shape.fit), triangles}, space, {&of_fit, 1});
+  write_ply(folder / "residual" / file, {in_unit(p.input.mesh.positions()), p.input.mesh.triangles()}, space,
+            {&of_surface, 1});
+}
+
+ordered_json distance_json(const SurfaceDistance& d) {
+  return {{"mean_mm", d.mean}, {"p95_mm", d.p95}, {"hausdorff_mm", d.hausdorff}};
+}
+
+ordered_json record(const Projected& p) {
+  ordered_json json{{"shape", p.input.stem}, {"file", p.input.file_name}, {"sha256", p.input.sha256}};
+  if (!p.failure.empty()) {
+    json["failure"] = p.failure;
+    return json;
+  }
+  json["scores_sd"] = std::vector<double>(p.shape.scores.begin(), p.shape.scores.end());
+  json["representation"] = distance_json(p.representation);
+  json["fit"] = distance_json(p.fit);
+  json["fit"]["landmark_rms_mm"] = p.shape.landmark_rms;
+  if (p.unseen) {
+    json["left_out"] = p.left_out;
+    json["fit_without_left_out"] = distance_json(*p.unseen);
+  }
+  return json;
+}
+
+std::string line(const Projected& p) {
+  char text[160];
+  std::snprintf(text, sizeof text, ": distance to the model's fit: mean %.2f, p95 %.2f, largest %.2f mm",
+                p.fit.mean, p.fit.p95, p.fit.hausdorff);
+  std::string all = p.input.stem + text;
+  if (p.unseen) {
+    std::snprintf(text, sizeof text, "; without %s%s: mean %.2f, p95 %.2f, largest %.2f mm",
+                  p.left_out.front().c_str(), p.left_out.size() > 1 ? " ..." : "", p.unseen->mean,
+                  p.unseen->p95, p.unseen->hausdorff);
+    all += text;
+  }
+  return all;
+}
+
+void write_scores(const fs::path& path, const std::vector<Projected>& all, int modes) {
+  std::vector<std::string> header{"shape"};
+  for (int m = 0; m < modes; ++m) header.push_back("mode" + std::to_string(m + 1));
+  std::vector<Row> rows;
+  for (const Projected& p : all) {
+    if (!p.failure.empty()) continue;
+    Row row{p.input.stem};
+    for (const double score : p.shape.scores) row.emplace_back(score);
+    rows.push_back(std::move(row));
+  }
+  write_csv(path, header, rows);
+}
+
+int project(const ProjectCommand& command) {
+  const RunContext ctx = command.console.context();
+  const std::vector<fs::path> files = find_meshes({command.surfaces.begin(), command.surfaces.end()});
+  ctx.step("model", 0);
+  const Projector projector(command, ctx);
+  std::vector<Projected> all(files.size());
+  std::atomic<int> done{0};
+  parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
+    const auto k = static_cast<std::size_t>(i);
+    try {
+      all[k] = projector(files[k], ctx.without_progress());
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      all[k].input.stem = files[k].stem().string();
+      all[k].input.file_name = files[k].filename().string();
+      all[k].failure = e.what();
+    }
+    ctx.step("project", static_cast<double>(++done) / static_cast<double>(files.size()));
+  });
+  for (const char* folder : {"corresponding", "fit", "residual"})
+    fs::create_directories(fs::path(command.output) / folder);
+  ordered_json records = ordered_json::array();
+  bool failed = false;
+  for (const Projected& p : all) {
+    records.push_back(record(p));
+    if (p.failure.empty()) {
+      write_meshes(p, projector.model(), command);
+      command.console.say(line(p));
+    } else {
+      failed = true;
+      command.console.warn(p.input.file_name + ": " + p.failure);
+    }
+  }
+  write_scores(fs::path(command.output) / "scores.csv", all, projector.model().aligned.model.modes());
+  const std::string json = ordered_json{{"shapes", records}}.dump(2);
+  write_file(fs::path(command.output) / "project.json", json + "\n");
+  if (command.console.json) std::cout << json << '\n';
+  return failed ? ExitCode::refused : ExitCode::done;
+}
+
+}  // namespace
+
+void add_project(CLI::App& program, Run& run) {
+  auto options = std::make_shared<ProjectCommand>();
+  CLI::App* command = program.add_subcommand(
+      "project",
+      "what a model says of new surfaces, closed and in any pose: registers each to the mean, gives its "
+      "landmarks, scores, the model's closest shape and how far it is, everywhere\n"
+      "Example: foramen project model new/L2.ply -o projected");
+  command->add_option("model", options->model, "folder of a model")->required();
+  command->add_option("surfaces", options->surfaces, "mesh files, or folders of them")->required();
+  command->add_option("-o,--output", options->output, "folder to write")->required();
+  command->add_option("--leave-out", options->leave_out,
+                      "training shapes to leave out of the model for a second distance (default: the one of "
+                      "the surface's own name)");
+  add_unit_option(*command, options->unit);
+  add_console_options(*command, options->console);
+  command->callback([options, &run] { run = [options] { return project(*options); }; });
+}
+
+}  // namespace foramen::app

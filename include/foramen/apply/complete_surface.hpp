@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// A whole shape from a part of its surface: the model given what is seen.
+
+#include <vector>
+
+#include "foramen/apply/shape_distribution.hpp"
+#include "foramen/core/run_context.hpp"
+#include "foramen/correspond/align_part.hpp"
+#include "foramen/model/procrustes.hpp"
+
+namespace foramen {
+
+struct CompleteSurfaceOptions {
+  ScaleMode scale = ScaleMode::keep;  ///< Of the model; remove: the part's size is fitted too.
+  /// Standard deviation of the part's surface about the shape's, across the surface [mm]. > 0.
+  double noise_mm = 0.5;
+  /// A patch of this area is one independent observation, however many points it holds [mm^2]. > 0.
+  double independent_area_mm2 = 20;
+  /// Part of the precision across the surface that holds along it, in (0, 1]: small, since a closest point
+  /// says little about where along the surface a landmark is.
+  double tangential_share = 0.05;
+  /// Matches farther than this many medians are left out (Tukey's biweight). > 0.
+  double rejection = 4;
+  double least_median_mm = 0.5;  ///< The median counts as no less than this. > 0.
+  double normal_weight = 8.0;    ///< mm per unit of normal difference in the searches, >= 0
+  int samples = 2000;            ///< of the part, > 0
+  /// Variance of what shapes have beyond the modes, as a share of the smooth process; 0: the modes alone.
+  double beyond_modes = 0.3;
+  SmoothDisplacementOptions smooth = {.scales = {{40, 4}, {20, 1.5}}, .left_out_mm = 0.6};
+  AlignPartOptions pose = {};
+};
+
+struct CompletedSurface {
+  SimilarityTransform to_model;  ///< part's coordinates -> the model's
+  ShapeDistribution shape;       ///< of all landmarks given the part, in the part's coordinates, mm
+  std::vector<bool> seen;        ///< per landmark: whether a point of the part was matched with it
+  double distance_mm = 0;        ///< mean distance of the part's samples to the mean of `shape`
+  double matched_share = 0;      ///< of the part's samples: the rest are not of the shape
+  /// The same mean for the next best pose: close to `distance_mm` = ambiguous. Infinity: no other pose.
+  double second_best_mm = 0;
+};
+
+/// The posterior of the model given a part of a surface \cite albrecht2013, open or damaged, in any pose.
+///
+/// The pose is sought with align_part(), and the model fitted from each of its answers; the one that leaves
+/// the part's samples the closest is kept. Then, from coarse to fine noise: every sample of the part and the
+/// nearest landmark by position and normal, and every landmark and the nearest point of the part, unless that
+/// lies at an open border (what a landmark beyond the border has there is not its own), are taken for one;
+/// Tukey's weights by the distances of the part's samples leave out what the other surface does not have.
+/// Given these matches the posterior is exact (posterior_coefficients()) of
+///
+///     x = mean + basis b + pose + smooth,   b ~ N(0, variance),
+///
+/// pose a small motion (and size) about the last one, with a wide prior, solved together with the shape and
+/// so part of its spread; smooth as in smooth_columns(). Every match across the surface has the noise divided
+/// by the root of its share of an independent patch. Deterministic; moves with the part, to the tolerance of
+/// the search. Throws InvalidInput for a part without area or an option out of its range.
+CompletedSurface complete_surface(const Mesh& part, const ShapeModel& model, const RunContext& ctx,
+                                  const CompleteSurfaceOptions& options = {});
+
+}  // namespace foramen

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Definitions of measures, as a file.
+
+#include <filesystem>
+
+#include "foramen/apply/measure_shape.hpp"
+
+namespace foramen {
+
+/// JSON of this form, all three parts optional:
+///
+///     {
+///       "points":    {"tip": [1.5, 40, -3], "front": 17},
+///       "distances": {"length": ["tip", "front"]},
+///       "regions":   {"facet": {"centre": "tip", "radius_mm": 6}, "rim": {"landmarks": [3, 4, 5]}}
+///     }
+///
+/// A point is a landmark's index or a position [mm] on mean.ply. Throws IoError naming the file and the part
+/// that is not of this form.
+MeasureDefinitions read_measures(const std::filesystem::path& path);
+
+}  // namespace foramen

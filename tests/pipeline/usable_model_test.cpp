@@ -1,0 +1,85 @@
+#include "foramen/pipeline/usable_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "foramen/apply/project_shape.hpp"
+#include "foramen/core/error.hpp"
+#include "pipeline/torus_family.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace foramen {
+namespace {
+
+class UsableModelTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new testing::TemporaryFolder;
+    build_ = new ModelBuild(build_model(testing::family(), testing::small(), RunContext(2)));
+    write_model_files(folder_->path(), *build_, "foramen build", 1);
+  }
+  static void TearDownTestSuite() {
+    delete build_;
+    delete folder_;
+  }
+  static const testing::TemporaryFolder& folder() { return *folder_; }
+  static const ModelBuild& build() { return *build_; }
+
+ private:
+  static inline testing::TemporaryFolder* folder_ = nullptr;
+  static inline ModelBuild* build_ = nullptr;
+};
+
+double rms(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]).squaredNorm();
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+TEST_F(UsableModelTest, HoldsTheShapesThatTheModelWasMadeOf) {
+  const UsableModel model = read_usable_model(folder().path());
+  ASSERT_EQ(model.names.size(), build().shapes.size());
+  for (std::size_t i = 0; i < model.names.size(); ++i) {
+    EXPECT_EQ(model.names[i], build().shapes[i].input.stem);
+    EXPECT_LT(rms(model.aligned.alignment.aligned[i], build().procrustes.aligned[i]), 1e-3);
+  }
+  EXPECT_EQ(model.scale, ScaleMode::keep);
+  EXPECT_EQ(model.lattice, build().reference_map.shape_map.map.lattice);
+}
+
+// A training shape that comes as a new surface, in another pose, gets its own landmarks again.
+TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
+  const UsableModel model = read_usable_model(folder().path());
+  const MeanRegistrar registrar = registrar_of(model, RunContext(1));
+  for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
+    const ShapeOutcome& shape = build().shapes[k];
+    RigidTransform pose = RigidTransform::Identity();
+    pose.rotate(Eigen::AngleAxisd(2.0, Vec3(1, -1, 3).normalized())).pretranslate(Vec3(9, 80, -70));
+    const std::vector<Vec3> found =
+        registrar.landmarks_on(transformed(shape.input.mesh, pose), RunContext(1));
+    EXPECT_LT(rms(found, transformed(shape.landmarks, pose)), 0.5) << shape.input.stem;
+    const ProjectedShape own = project_shape(shape.landmarks, model.aligned, model.scale),
+                         again = project_shape(found, model.aligned, model.scale);
+    EXPECT_LT((own.scores - again.scores).head(1).norm(), 0.2);
+  }
+}
+
+TEST_F(UsableModelTest, AnotherTopologyIsRefused) {
+  const MeanRegistrar registrar = registrar_of(read_usable_model(folder().path()), RunContext(1));
+  const TriangleSoup octahedron{
+      {{20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, -20, 0}, {0, 0, 20}, {0, 0, -20}},
+      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+  EXPECT_THROW(registrar.landmarks_on(build_mesh(octahedron), RunContext(1)), Error);
+}
+
+TEST_F(UsableModelTest, FilesOfTwoModelsAreRefused) {
+  const testing::TemporaryFolder mixed;
+  BuildOptions fewer = testing::small();
+  fewer.landmarks = 300;
+  write_model_files(mixed.path(), build_model(testing::family(), fewer, RunContext(2)), "foramen build", 1);
+  std::filesystem::copy_file(folder().path() / "atlas.h5", mixed.path() / "atlas.h5",
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THROW(read_usable_model(mixed.path()), IoError);
+}
+
+}  // namespace
+}  // namespace foramen
