@@ -134,8 +134,8 @@ void add_complete(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand(
       "complete",
       "the whole of a partial or damaged surface, open or closed, in any pose: the model given what is seen, "
-      "its mean with the standard deviation everywhere, and the posterior as a model to sample\n"
-      "Example: foramen complete model damaged.ply -o completed");
+      "its mean with the standard deviation everywhere, and the posterior as a model to sample");
+  command->footer("Example:\n  foramen complete model damaged.ply -o completed");
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("surface", options->surface, "mesh file, its triangles wound outward")->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();

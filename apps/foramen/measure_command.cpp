@@ -95,8 +95,8 @@ void add_measure(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand(
       "measure",
       "points, distances and areas that a JSON file defines once on the mean, taken on all shapes of a model "
-      "or on any meshes with its landmarks, as CSV\n"
-      "Example: foramen measure model measures.json -o measures.csv");
+      "or on any meshes with its landmarks, as CSV");
+  command->footer("Example:\n  foramen measure model measures.json -o measures.csv");
   command->add_option("model", options->model, "folder of a model")->required();
   command
       ->add_option("definitions", options->definitions,

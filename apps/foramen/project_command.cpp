@@ -207,8 +207,8 @@ void add_project(CLI::App& program, Run& run) {
   CLI::App* command = program.add_subcommand(
       "project",
       "what a model says of new surfaces, closed and in any pose: registers each to the mean, gives its "
-      "landmarks, scores, the model's closest shape and how far it is, everywhere\n"
-      "Example: foramen project model new/L2.ply -o projected");
+      "landmarks, scores, the model's closest shape and how far it is, everywhere");
+  command->footer("Example:\n  foramen project model new/L2.ply -o projected");
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("surfaces", options->surfaces, "mesh files, or folders of them")->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();

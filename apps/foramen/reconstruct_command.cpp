@@ -83,9 +83,8 @@ int reconstruct(const ReconstructCommand& command) {
 
 void add_reconstruct(CLI::App& program, Run& run) {
   auto options = std::make_shared<ReconstructCommand>();
-  CLI::App* command = program.add_subcommand("reconstruct",
-                                             "shapes of given scores, in model coordinates\n"
-                                             "Example: foramen reconstruct model model/scores.csv -o shapes");
+  CLI::App* command = program.add_subcommand("reconstruct", "shapes of given scores, in model coordinates");
+  command->footer("Example:\n  foramen reconstruct model model/scores.csv -o shapes");
   command->add_option("model", options->model, "folder of a model, or its model.h5")->required();
   command
       ->add_option("scores", options->scores,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
@@ -24,13 +25,14 @@ struct RepairCommand {
   Console console;
 };
 
-using Writer = void (*)(const std::filesystem::path&, const TriangleSoup&, AnatomicalSpace);
+using Writer = std::function<void(const std::filesystem::path&, const TriangleSoup&, AnatomicalSpace)>;
 
 Writer writer_for(const std::string& output) {
   std::string extension = std::filesystem::path(output).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".ply") return write_ply;
+  if (extension == ".ply")
+    return [](const auto& path, const auto& soup, auto space) { write_ply(path, soup, space); };
   if (extension == ".vtp") return write_vtp;
   throw InvalidInput(output + ": a repaired surface is written as .ply or .vtp; give such a name with -o");
 }

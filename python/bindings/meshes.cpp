@@ -30,7 +30,10 @@ void write(const std::string& path, const PointArray& points, const TriangleArra
   const auto ends_with = [&](const std::string& extension) { return path.ends_with(extension); };
   if (!ends_with(".ply") && !ends_with(".vtp"))
     throw InvalidInput(path + ": a mesh is written as .ply or .vtp");
-  (ends_with(".ply") ? write_ply : write_vtp)(path, soup, space_of(space));
+  if (ends_with(".ply"))
+    write_ply(path, soup, space_of(space));
+  else
+    write_vtp(path, soup, space_of(space));
 }
 
 std::string inspect(const PointArray& points, const TriangleArray& triangles) {
