@@ -49,7 +49,8 @@ struct BuildOptions {
 struct ShapeOutcome {
   InputShape input;
   RegisteredShape
-      registration;  ///< identity and the reference's own map for the reference; alignment only for ICP
+      registration;  ///< identity for the reference; alignment only for ICP. Its map is let go of as soon as
+                     ///< the landmarks are placed: a cohort of large shapes has no room for all of them.
   std::vector<Vec3> landmarks;  ///< on its input surface, in the input's coordinates, mm
   int unmatched = 0;            ///< ICP: landmarks without a normal-compatible point on this shape
   double seconds = 0;           ///< of registration
