@@ -119,5 +119,11 @@ TEST(RankReferences, BeginsWithTheShapeOfMedianSize) {
   EXPECT_THAT(rank_references(shapes), ::testing::ElementsAre(2, 3, 1, 0, 4));
 }
 
+TEST(RankReferences, EndsWithWhatTakesMinutesToCutOpen) {
+  const InputShape ordinary = shape("ordinary", testing::torus_soup(16, 10)),
+                   large = shape("large", testing::torus_soup(400, 260));
+  EXPECT_THAT(rank_references({large, ordinary, large}), ::testing::ElementsAre(1, 0, 2));
+}
+
 }  // namespace
 }  // namespace foramen
