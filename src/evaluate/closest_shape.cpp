@@ -30,7 +30,7 @@ std::vector<std::size_t> ordered_by(const std::vector<double>& keys) {
 std::vector<MeasuredSurface> measured(const std::vector<Mesh>& meshes, int samples, std::uint64_t seed) {
   std::vector<MeasuredSurface> surfaces;
   surfaces.reserve(meshes.size());
-  for (const Mesh& mesh : meshes) surfaces.emplace_back(mesh, samples, seed);
+  for (const Mesh& mesh : meshes) surfaces.emplace_back(mesh, samples, seed).settle();
   return surfaces;
 }
 

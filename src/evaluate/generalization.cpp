@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -121,27 +123,31 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
 
   const std::vector<double> weights =
       landmark_weights(cohort.corresponding, cohort.triangles, options.scale, options.weights);
-  std::vector<AlignedModel> models(groups.size());
-  parallel_for(static_cast<int>(groups.size()), ctx, [&](int g) {
-    models[static_cast<std::size_t>(g)] =
-        model_without(cohort, groups[static_cast<std::size_t>(g)], options.scale, weights);
-  });
-  std::vector<std::size_t> group_of(cohort.corresponding.size());
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (const int i : groups[g]) group_of[static_cast<std::size_t>(i)] = g;
-
   const std::vector<int> counts = mode_counts(remaining - 1);
   std::vector<std::vector<ShapeError>> errors(cohort.corresponding.size());
   const bool by_subject = options.leave_out == LeaveOut::subject;
   detail::StageProgress progress(ctx, "generalization", cohort.size());
-  parallel_for(cohort.size(), ctx, [&](int i) {
-    const auto s = static_cast<std::size_t>(i);
-    errors[s] = kept<std::vector<ShapeError>>(
-        ctx, (by_subject ? "generalization by subject " : "generalization ") + std::to_string(i), [&] {
-          return unseen_errors(cohort.corresponding[s], cohort.inputs[s], models[group_of[s]], counts,
-                               options);
-        });
-    progress.finished_one();
+  // A model is as large as all its shapes, and there are as many as groups: each lives only while its group
+  // is measured.
+  parallel_for(static_cast<int>(groups.size()), ctx, [&](int g) {
+    const std::vector<int>& group = groups[static_cast<std::size_t>(g)];
+    std::optional<AlignedModel> model;  // made for the first shape that no former run has measured
+    std::mutex making;
+    const auto model_of_others = [&]() -> const AlignedModel& {
+      const std::lock_guard lock(making);
+      if (!model) model = model_without(cohort, group, options.scale, weights);
+      return *model;
+    };
+    parallel_for(static_cast<int>(group.size()), ctx, [&](int k) {
+      const int i = group[static_cast<std::size_t>(k)];
+      const auto s = static_cast<std::size_t>(i);
+      errors[s] = kept<std::vector<ShapeError>>(
+          ctx, (by_subject ? "generalization by subject " : "generalization ") + std::to_string(i), [&] {
+            return unseen_errors(cohort.corresponding[s], cohort.inputs[s], model_of_others(), counts,
+                                 options);
+          });
+      progress.finished_one();
+    });
   });
 
   return {options.leave_out, static_cast<int>(groups.size()), over_shapes(errors, counts)};

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/rng.hpp"
 #include "foramen/spatial/surface_distance.hpp"
@@ -68,8 +69,15 @@ MeasuredSurface::MeasuredSurface(const Mesh& mesh, int samples, std::uint64_t se
 }
 
 void MeasuredSurface::move_to(std::vector<Vec3> positions) {
+  FORAMEN_ASSERT(!corners_of_cluster_.empty());  // not settled
   tree_.move_to(std::move(positions));
   refresh();
+}
+
+void MeasuredSurface::settle() {
+  cluster_of_face_ = {};
+  corners_of_cluster_ = {};
+  owned_vertices_ = {};
 }
 
 void MeasuredSurface::gather_clusters() {

@@ -27,6 +27,8 @@ class MeasuredSurface {
   MeasuredSurface(const Mesh& mesh, int samples, std::uint64_t seed);
   /// The same triangles at other positions.
   void move_to(std::vector<Vec3> positions);
+  /// It will not be moved: lets go of what only a motion needs, for many of them are held at once.
+  void settle();
 
   const PackedTriangles& tree() const { return tree_; }
   std::span<const Vec3> samples() const { return samples_; }

@@ -69,28 +69,38 @@ Eigen::MatrixXd without_column(const Eigen::MatrixXd& all, Eigen::Index left_out
 
 }  // namespace
 
+DisplacementPrior CohortPriors::of_member(int shape) const {
+  if (coefficients.size() == 0) return {};
+  DisplacementPrior prior = distribution_of(without_column(coefficients, shape));
+  prior.variance = unexplained_share;
+  return prior;
+}
+
+DisplacementPrior CohortPriors::of_newcomer() const {
+  if (coefficients.size() == 0) return {};
+  DisplacementPrior prior = distribution_of(coefficients);
+  prior.variance = unexplained_share;
+  return prior;
+}
+
 CohortPriors cohort_priors(const Mesh& surface, const Eigen::MatrixXd& functions,
                            std::span<const std::vector<Vec3>> corresponding,
                            const CohortPriorOptions& options) {
   check(surface, functions, corresponding, options);
   CohortPriors priors;
-  priors.of_members.resize(corresponding.size());
   if (corresponding.size() < 3) return priors;
-  const Eigen::MatrixXd all = coefficients_of(surface, functions, corresponding, options);
+  priors.coefficients = coefficients_of(surface, functions, corresponding, options);
+  const Eigen::MatrixXd& all = priors.coefficients;
 
   double unexplained = 0, total = 0;
   for (Eigen::Index i = 0; i < all.cols(); ++i) {
-    DisplacementPrior& prior = priors.of_members[static_cast<std::size_t>(i)];
-    prior = distribution_of(without_column(all, i));
+    const DisplacementPrior prior = distribution_of(without_column(all, i));
     const Eigen::VectorXd own = all.col(i) - prior.mean;
     const Eigen::VectorXd explained = prior.directions * prior.directions.colPivHouseholderQr().solve(own);
     unexplained += (own - explained).squaredNorm();
     total += own.squaredNorm();
   }
   if (total > 0) priors.unexplained_share = std::clamp(unexplained / total, options.least_share, 1.0);
-  priors.of_newcomer = distribution_of(all);
-  for (DisplacementPrior& prior : priors.of_members) prior.variance = priors.unexplained_share;
-  priors.of_newcomer.variance = priors.unexplained_share;
   return priors;
 }
 

@@ -74,9 +74,9 @@ void MemberSteps::place(Member& member, const PreparedTemplate& to) const {
   member.bent = transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
 }
 
-void MemberSteps::again(Member& member, const PreparedTemplate& to) const {
+void MemberSteps::again(Member& member, const PreparedTemplate& to, const DisplacementPrior& prior) const {
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
-  member.bent = bent_onto(aligned, to, options_.again, member.bent, member.prior);
+  member.bent = bent_onto(aligned, to, options_.again, member.bent, prior);
   improve(member, aligned, to);
 }
 

@@ -33,7 +33,7 @@ struct MemberState {
 struct Member : MemberState {
   const Mesh* input = nullptr;
   WorkingMesh working;
-  DisplacementPrior prior;      // of the template's displacement onto it
+  int place_in_priors = 0;      // of the group's CohortPriors
   std::vector<Vec3> attractor;  // as bent, what the description length draws it to; empty: bent serves
 };
 
@@ -50,8 +50,8 @@ class MemberSteps {
   void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to) const;
   /// Another template's vertices where the map has the corresponding points. \pre to_template is up to date
   void place(Member& member, const PreparedTemplate& to) const;
-  /// Once more, to the template that was placed.
-  void again(Member& member, const PreparedTemplate& to) const;
+  /// Once more, to the template that was placed. \param prior  of its displacement onto the shape
+  void again(Member& member, const PreparedTemplate& to, const DisplacementPrior& prior) const;
   /// The map alone, drawn to what the template bent last (or the description length) says.
   void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
   /// From the working mesh to the input, with all checks: fills the result.

@@ -73,9 +73,12 @@ class GroupRegistrar {
       last = mean.get();
       group = {round + 1, std::move(next.surface), std::move(next.grid), {}};
       for_each_member("place", [&](int i) { steps_.place(members_[static_cast<std::size_t>(i)], *mean); });
-      if (options_.bending == Bending::cohort) group.prior = learn_priors(*mean);
-      advance_each_member("round " + std::to_string(round + 1),
-                          [&](int i) { steps_.again(members_[static_cast<std::size_t>(i)], *mean); });
+      if (options_.bending == Bending::cohort) learn_priors(*mean);
+      group.prior = priors_.of_newcomer();
+      advance_each_member("round " + std::to_string(round + 1), [&](int i) {
+        Member& member = members_[static_cast<std::size_t>(i)];
+        steps_.again(member, *mean, priors_.of_member(member.place_in_priors));
+      });
     }
     for (int round = 0; round < options_.description_rounds; ++round) {
       describe(*last);
@@ -157,15 +160,15 @@ class GroupRegistrar {
     for (std::size_t k = 0; k < members.size(); ++k) members[k]->to_template = rigid(transforms[k]);
   }
 
-  // Gives each member what the others tell of it; returns what all tell of a newcomer.
-  DisplacementPrior learn_priors(const PreparedTemplate& to) {
-    const std::vector<Member*> members = present();
+  // What the members that are still there tell of each other.
+  void learn_priors(const PreparedTemplate& to) {
     std::vector<std::vector<Vec3>> placed;
-    for (const Member* member : members) placed.push_back(member->bent);
-    CohortPriors priors = cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
-    for (std::size_t k = 0; k < members.size(); ++k) members[k]->prior = std::move(priors.of_members[k]);
-    result_.unexplained_shares.push_back(priors.unexplained_share);
-    return std::move(priors.of_newcomer);
+    for (Member* member : present()) {
+      member->place_in_priors = static_cast<int>(placed.size());
+      placed.push_back(member->bent);
+    }
+    priors_ = cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
+    result_.unexplained_shares.push_back(priors_.unexplained_share);
   }
 
   // The cohort as its maps have it now, and what its description length draws every shape to.
@@ -197,6 +200,7 @@ class GroupRegistrar {
   const RegisterGroupOptions& options_;
   MemberSteps steps_;
   std::vector<Member> members_;
+  CohortPriors priors_;  // of the present round; without Bending::cohort the smooth process
   GroupRegistration result_;
 };
 
@@ -228,14 +232,13 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
     return std::move(member.result);
   }
   const PreparedTemplate mean(group.surface, options);
-  member.prior = group.prior;
   const TorusGrid grid = make_torus_grid(reference.shape_map.map.lattice, options.mean.grid_points);
   for (int round = 0; round < group.rounds; ++round) {
     const TorusLocator locator(member.working.mesh, member.map.map);
     const std::vector<Vec3> lifted = lift_to_surface(locator, grid.turns);
     member.to_template = rigid(fit_similarity(lifted, group.grid, ScaleMode::keep));
     steps.place(member, mean);
-    steps.again(member, mean);
+    steps.again(member, mean, group.prior);
   }
   steps.finish(member, mean);
   return std::move(member.result);

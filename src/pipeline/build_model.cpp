@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "foramen/core/error.hpp"
@@ -18,6 +19,9 @@ namespace foramen {
 namespace {
 
 constexpr int fewest_shapes = 3;
+// The search for a reference's loops takes seconds at this size and grows with more than the square root of
+// the cube.
+constexpr int large_reference_vertices = 100000;
 constexpr double least_variation_mm = 1e-5;  // of a landmark; rounding of coordinates in files is as large
 
 class Stopwatch {
@@ -201,12 +205,13 @@ std::vector<int> rank_references(const std::vector<InputShape>& shapes) {
     volumes.push_back(std::log(signed_volume(shape.mesh)));
   }
   const double area = median(areas), volume = median(volumes);
-  std::vector<std::pair<double, int>> deviations;
+  std::vector<std::tuple<bool, double, int>> deviations;
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    deviations.emplace_back(std::abs(areas[i] - area) + std::abs(volumes[i] - volume), static_cast<int>(i));
+    deviations.emplace_back(shapes[i].mesh.vertex_count() > large_reference_vertices,
+                            std::abs(areas[i] - area) + std::abs(volumes[i] - volume), static_cast<int>(i));
   std::sort(deviations.begin(), deviations.end());
   std::vector<int> order;
-  for (const auto& [deviation, shape] : deviations) order.push_back(shape);
+  for (const auto& [large, deviation, shape] : deviations) order.push_back(shape);
   return order;
 }
 

@@ -23,32 +23,36 @@ constexpr int search_samples = 4000;
 // What lifting and measuring need of each shape, made once.
 struct LiftingShape {
   std::unique_ptr<TorusLocator> locator;
-  std::unique_ptr<TriangleTree> tree;
+  VertexMap<Vec2> turns;               // of the map
+  std::unique_ptr<TriangleTree> tree;  // from plant_trees() on
 };
 
-std::vector<LiftingShape> lifting_shapes(const ModelBuild& build, const RunContext& ctx) {
+// Takes the maps out of the outcomes: from here on they are known by their locators, and a cohort of large
+// shapes has no room for both.
+std::vector<LiftingShape> lifting_shapes(ModelBuild& build, const RunContext& ctx) {
   std::vector<LiftingShape> shapes(build.shapes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    const ShapeOutcome& shape = build.shapes[static_cast<std::size_t>(i)];
+    ShapeOutcome& shape = build.shapes[static_cast<std::size_t>(i)];
     auto& lifting = shapes[static_cast<std::size_t>(i)];
-    lifting.locator = std::make_unique<TorusLocator>(shape.input.mesh, shape.registration.shape_map.map);
-    lifting.tree = std::make_unique<TriangleTree>(shape.input.mesh);
+    TorusMap map = std::exchange(shape.registration.shape_map.map, {});
+    lifting.locator = std::make_unique<TorusLocator>(shape.input.mesh, map);
+    lifting.turns = std::move(map.turns);
   });
   return shapes;
 }
 
-std::vector<Vec3> lifted(const LiftingShape& shape, std::span<const Vec2> turns) {
-  std::vector<Vec3> points;
-  points.reserve(turns.size());
-  for (const Vec2& p : turns) points.push_back(position(shape.tree->mesh(), shape.locator->locate(p)));
-  return points;
+void plant_trees(std::vector<LiftingShape>& shapes, const RunContext& ctx) {
+  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
+    LiftingShape& shape = shapes[static_cast<std::size_t>(i)];
+    shape.tree = std::make_unique<TriangleTree>(shape.locator->mesh());
+  });
 }
 
 std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& shapes,
                                              std::span<const Vec2> turns, const RunContext& ctx) {
   std::vector<std::vector<Vec3>> all(shapes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    all[static_cast<std::size_t>(i)] = lifted(shapes[static_cast<std::size_t>(i)], turns);
+    all[static_cast<std::size_t>(i)] = lift_to_surface(*shapes[static_cast<std::size_t>(i)].locator, turns);
   });
   return all;
 }
@@ -75,26 +79,23 @@ DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lat
 
 // Where the landmarks miss a shape the next ones are denser.
 VertexMap<double> density_after(const LandmarkMesh& landmarks, const VertexMap<double>& density,
-                                const DenseMean& mean, const ModelBuild& build,
-                                const std::vector<LiftingShape>& shapes, const BuildOptions& options,
-                                const RunContext& ctx) {
+                                const DenseMean& mean, const std::vector<LiftingShape>& shapes,
+                                const BuildOptions& options, const RunContext& ctx) {
   auto lifted = lifted_to_all(shapes, landmarks.turns, ctx);
   std::vector<RepresentedShape> represented;
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    represented.push_back({&build.shapes[i].input.mesh, &build.shapes[i].registration.shape_map.map.turns,
-                           std::move(lifted[i])});
+    represented.push_back({&shapes[i].locator->mesh(), &shapes[i].turns, std::move(lifted[i])});
   return raised_by_error(density, mean.grid, represented, landmarks.triangles, ctx, options.errors);
 }
 
-RefinedLandmarks landmarks_on(const DenseMean& mean, const ModelBuild& build,
-                              const std::vector<LiftingShape>& shapes, int count, const BuildOptions& options,
-                              const RunContext& ctx) {
+RefinedLandmarks landmarks_on(const DenseMean& mean, const std::vector<LiftingShape>& shapes, int count,
+                              const BuildOptions& options, const RunContext& ctx) {
   RemeshOptions remeshing = options.remeshing;
   remeshing.landmarks = count;
   VertexMap<double> density = mean.density;
   LandmarkMesh landmarks = remesh(mean.mesh, mean.map, density, ctx, remeshing);
   for (int k = 0; k < options.density_updates; ++k) {
-    density = density_after(landmarks, density, mean, build, shapes, options, ctx);
+    density = density_after(landmarks, density, mean, shapes, options, ctx);
     landmarks = remesh(mean.mesh, mean.map, density, ctx, remeshing);
   }
   std::vector<LandmarkShape> views;
@@ -107,7 +108,8 @@ double mean_representation_error(const LandmarkMesh& landmarks, const std::vecto
   std::vector<double> errors(shapes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
     const LiftingShape& shape = shapes[static_cast<std::size_t>(i)];
-    const TriangleTree sampled(build_mesh({lifted(shape, landmarks.turns), landmarks.triangles}));
+    const TriangleTree sampled(
+        build_mesh({lift_to_surface(*shape.locator, landmarks.turns), landmarks.triangles}));
     errors[static_cast<std::size_t>(i)] =
         surface_distance(sampled, *shape.tree, {.samples = search_samples, .seed = options.seed}).mean;
   });
@@ -117,13 +119,12 @@ double mean_representation_error(const LandmarkMesh& landmarks, const std::vecto
 }
 
 // As few landmarks as reach the error, up to one step of growth.
-RefinedLandmarks landmarks_for_error(const DenseMean& mean, const ModelBuild& build,
-                                     const std::vector<LiftingShape>& shapes, const BuildOptions& options,
-                                     const RunContext& ctx) {
+RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<LiftingShape>& shapes,
+                                     const BuildOptions& options, const RunContext& ctx) {
   for (int count = first_landmarks; count <= most_landmarks;
        count = static_cast<int>(landmark_growth * count)) {
     ctx.check();
-    RefinedLandmarks refined = landmarks_on(mean, build, shapes, count, options, ctx);
+    RefinedLandmarks refined = landmarks_on(mean, shapes, count, options, ctx);
     if (mean_representation_error(refined.landmarks, shapes, options, ctx) <= *options.target_error_mm)
       return refined;
   }
@@ -135,12 +136,13 @@ RefinedLandmarks landmarks_for_error(const DenseMean& mean, const ModelBuild& bu
 }  // namespace
 
 void place_landmarks(ModelBuild& build, const BuildOptions& options, const RunContext& ctx) {
-  const auto shapes = lifting_shapes(build, ctx);
+  auto shapes = lifting_shapes(build, ctx);
   const DenseMean mean = dense_mean(shapes, build.reference_map.shape_map.map.lattice, options, ctx);
+  plant_trees(shapes, ctx);
   ctx.step("resample", 0.3);
   RefinedLandmarks refined = options.target_error_mm
-                                 ? landmarks_for_error(mean, build, shapes, options, ctx)
-                                 : landmarks_on(mean, build, shapes, options.landmarks, options, ctx);
+                                 ? landmarks_for_error(mean, shapes, options, ctx)
+                                 : landmarks_on(mean, shapes, options.landmarks, options, ctx);
   ctx.step("resample", 0.9);
   build.landmarks = std::move(refined.landmarks);
   build.inserted_landmarks = refined.inserted;

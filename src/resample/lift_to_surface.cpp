@@ -65,16 +65,23 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
       throw InvalidInput("torus map: vertex " + std::to_string(v.index) +
                          " is not within 4096 turns of zero");
 
-  corners_.resize(static_cast<std::size_t>(mesh.face_count()));
+  places_.reserve(static_cast<std::size_t>(mesh.vertex_count()));
+  for (VertexId v : mesh.vertices()) {
+    const Fixed2 p = detail::to_fixed(map.turns[v]);
+    places_.push_back({p.x, p.y});
+  }
+  turns_.resize(static_cast<std::size_t>(mesh.face_count()));
   std::vector<Entry> entries;
-  entries.reserve(corners_.size() + corners_.size() / 8);
+  entries.reserve(turns_.size() + turns_.size() / 8);
   Int128 doubled_area = 0;
   for (FaceId f : mesh.faces()) {
     const auto c = mesh.corners(f);
     std::array<Fixed2, 3> p;
+    std::array<Vec2i, 3> to_corner;
     Vec2i jump = Vec2i::Zero();
     for (int k = 0; k < 3; ++k) {
-      p[k] = detail::to_fixed(map.turns[c[k]]) + detail::whole_turns(jump);
+      to_corner[k] = jump;
+      p[k] = fixed(places_[static_cast<std::size_t>(c[k].index)]) + detail::whole_turns(jump);
       jump += map.jumps[Mesh::halfedge(f, k)];
     }
     const Int128 doubled = detail::orientation(p[0], p[1], p[2]);
@@ -85,10 +92,14 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
     doubled_area += doubled;
 
     const Fixed2 low{std::min({p[0].x, p[1].x, p[2].x}), std::min({p[0].y, p[1].y, p[2].y})};
-    const Fixed2 shift = detail::whole_turns(detail::floor_turns(low));
-    for (int k = 0; k < 3; ++k) corners_[f.index][k] = {p[k].x - shift.x, p[k].y - shift.y};
-    const Fixed2 high =
-        Fixed2{std::max({p[0].x, p[1].x, p[2].x}), std::max({p[0].y, p[1].y, p[2].y})} - shift;
+    const Vec2i floor = detail::floor_turns(low);
+    for (int k = 0; k < 3; ++k) {
+      const Vec2i turns = to_corner[k] - floor;
+      turns_[static_cast<std::size_t>(f.index)][static_cast<std::size_t>(k)] = {
+          static_cast<std::int16_t>(turns.x()), static_cast<std::int16_t>(turns.y())};
+    }
+    const Fixed2 high = Fixed2{std::max({p[0].x, p[1].x, p[2].x}), std::max({p[0].y, p[1].y, p[2].y})} -
+                        detail::whole_turns(floor);
     const Vec2i last = detail::floor_turns(high);
     for (int y = 0; y <= last.y(); ++y)
       for (int x = 0; x <= last.x(); ++x)
@@ -103,6 +114,17 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
   build_grid(entries, {0, 0}, fixed_bits, 0);
 }
 
+std::array<TorusLocator::Place, 3> TorusLocator::corners(int face) const {
+  const auto& vertices = mesh_.triangles()[static_cast<std::size_t>(face)];
+  const auto& turns = turns_[static_cast<std::size_t>(face)];
+  std::array<Place, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Place& p = places_[static_cast<std::size_t>(vertices[k])];
+    corners[k] = {p.x + turns[k][0] * fixed_turn, p.y + turns[k][1] * fixed_turn};
+  }
+  return corners;
+}
+
 int TorusLocator::build_grid(const std::vector<Entry>& entries, Place corner, int size_bits, int depth) {
   const int bits = std::min(side_bits(entries.size()), size_bits);
   const int shift = size_bits - bits;
@@ -111,7 +133,7 @@ int TorusLocator::build_grid(const std::vector<Entry>& entries, Place corner, in
   std::vector<std::vector<Entry>> cells(cell_count);
   std::size_t stored = 0;
   for (const Entry& e : entries) {
-    const std::array<Place, 3>& t = corners_[static_cast<std::size_t>(e.face)];
+    const std::array<Place, 3> t = corners(e.face);
     const Fixed2 origin = Fixed2{corner.x + e.x * fixed_turn, corner.y + e.y * fixed_turn};
     const std::array p{fixed(t[0]) - origin, fixed(t[1]) - origin, fixed(t[2]) - origin};
     const auto cell_of = [&](std::int64_t x) {
@@ -166,9 +188,9 @@ SurfacePoint TorusLocator::locate(const Vec2& turns) const {
   }
   for (int i = cell->first; i < cell->last; ++i) {
     const Entry& entry = entries_[static_cast<std::size_t>(i)];
-    const auto& corners = corners_[static_cast<std::size_t>(entry.face)];
+    const std::array<Place, 3> t = corners(entry.face);
     const Fixed2 p = q + Fixed2{entry.x * fixed_turn, entry.y * fixed_turn};
-    const Fixed2 a = fixed(corners[0]), b = fixed(corners[1]), c = fixed(corners[2]);
+    const Fixed2 a = fixed(t[0]), b = fixed(t[1]), c = fixed(t[2]);
     const Int128 against_a = cross(c - b, p - b);
     if (!inside(against_a, c - b)) continue;
     const Int128 against_b = cross(a - c, p - c);

@@ -137,11 +137,11 @@ ClosestPoint TriangleTree::closest(const Vec3& query, double within) const {
   traverse(
       Query(query, origin_), best.squared_distance, [](std::size_t, Floats&) {},
       [&](std::size_t slot) {
-        best.offer(closest_on(triangles_[slot], sliver_[slot], query), order_[slot], static_cast<int>(slot));
+        best.offer(closest_on(triangle(slot), sliver_[slot], query), order_[slot], static_cast<int>(slot));
         return false;
       });
   if (best.face < 0) return {};
-  return closest_point(triangles_[static_cast<std::size_t>(best.slot)], best.where, FaceId(best.face));
+  return closest_point(triangle(static_cast<std::size_t>(best.slot)), best.where, FaceId(best.face));
 }
 
 std::optional<ClosestPoint> TriangleTree::closest_compatible(const Vec3& query, const Vec3& normal,
@@ -161,11 +161,11 @@ std::optional<ClosestPoint> TriangleTree::closest_compatible(const Vec3& query, 
   traverse(Query(query, origin_), best.squared_distance, incompatible_to_nan, [&](std::size_t slot) {
     const Vec3& m = normals_[slot];
     if (!(m.dot(normal) > min_cosine) || m.isZero(0)) return false;
-    best.offer(closest_on(triangles_[slot], sliver_[slot], query), order_[slot], static_cast<int>(slot));
+    best.offer(closest_on(triangle(slot), sliver_[slot], query), order_[slot], static_cast<int>(slot));
     return false;
   });
   if (best.face < 0) return std::nullopt;
-  return closest_point(triangles_[static_cast<std::size_t>(best.slot)], best.where, FaceId(best.face));
+  return closest_point(triangle(static_cast<std::size_t>(best.slot)), best.where, FaceId(best.face));
 }
 
 bool TriangleTree::any_within(const Vec3& query, double radius) const {
@@ -175,7 +175,7 @@ bool TriangleTree::any_within(const Vec3& query, double radius) const {
   traverse(
       Query(query, origin_), bound, [](std::size_t, Floats&) {},
       [&](std::size_t slot) {
-        found = closest_on(triangles_[slot], sliver_[slot], query).squared_distance <= bound;
+        found = closest_on(triangle(slot), sliver_[slot], query).squared_distance <= bound;
         return found;
       });
   return found;
@@ -188,7 +188,7 @@ std::vector<FaceId> TriangleTree::faces_within(const Vec3& query, double radius)
   traverse(
       Query(query, origin_), bound, [](std::size_t, Floats&) {},
       [&](std::size_t slot) {
-        if (closest_on(triangles_[slot], sliver_[slot], query).squared_distance <= bound)
+        if (closest_on(triangle(slot), sliver_[slot], query).squared_distance <= bound)
           faces.emplace_back(order_[slot]);
         return false;
       });
@@ -266,8 +266,9 @@ struct TriangleTree::Overlaps {
 void TriangleTree::for_each_overlap(const std::function<void(FaceId, FaceId)>& visit) const {
   if (nodes_.empty()) return;
   Overlaps overlaps{*this, visit, {}};
-  overlaps.boxes.reserve(triangles_.size());
-  for (const auto& t : triangles_) overlaps.boxes.push_back(bounding_box(t));
+  overlaps.boxes.reserve(corners_.size());
+  for (std::size_t slot = 0; slot < corners_.size(); ++slot)
+    overlaps.boxes.push_back(bounding_box(triangle(slot)));
   overlaps.within(0);
 }
 

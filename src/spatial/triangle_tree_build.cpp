@@ -182,13 +182,14 @@ void TriangleTree::refit(const Mesh& mesh) {
 // Everything that depends on positions.
 void TriangleTree::refresh() {
   const std::size_t count = order_.size();
-  triangles_.resize(count);
+  corners_.resize(count);
   normals_.resize(count);
   sliver_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    triangles_[i] = mesh_.triangle(FaceId(order_[i]));
-    normals_[i] = unit_normal(triangles_[i]);
-    sliver_[i] = detail::is_sliver(triangles_[i]);
+    corners_[i] = mesh_.triangles()[static_cast<std::size_t>(order_[i])];
+    const auto t = triangle(i);
+    normals_[i] = unit_normal(t);
+    sliver_[i] = detail::is_sliver(t);
   }
   if (count == 0) return;
   const BoundingBox whole = bounding_box(mesh_.positions());
@@ -209,7 +210,7 @@ void TriangleTree::refresh() {
       } else {
         for (int i = detail::leaf_first(child); i < detail::leaf_first(child) + detail::leaf_count(child);
              ++i) {
-          points.add(box_of(triangles_[static_cast<std::size_t>(i)]));
+          points.add(box_of(triangle(static_cast<std::size_t>(i))));
           normals.add(normals_[static_cast<std::size_t>(i)]);
         }
       }

@@ -8,6 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "support/heap_in_use.hpp"
 #include "support/torus_cohort.hpp"
 
 namespace foramen {
@@ -66,6 +67,24 @@ TEST(Generalization, LeavesEachShapeOut) {
         expect_same(g.by_modes[static_cast<std::size_t>(m - 1)].items[i],
                     by_definition(cohort, i, others, m, scale));
     }
+  }
+}
+
+// Models of all shapes but one are as many as shapes and as large as all of them: together they would not
+// fit.
+TEST(Generalization, HoldsOneModelAtATime) {
+  constexpr int shapes = 24;
+  const CorrespondingCohort cohort =
+      torus_cohort({.shapes = shapes, .landmark_around = 80, .landmark_tube = 30});
+  for (const GeneralizationOptions& options : {by_shape, by_subject}) {
+    const double before = testing::heap_in_use();
+    double most = 0;
+    generalization(cohort, options, RunContext(1, [&](const Progress&) {
+                     most = std::max(most, testing::heap_in_use() - before);
+                   }));
+    // Aligned shapes and modes.
+    const double model = 2.0 * shapes * cohort.landmarks() * sizeof(Vec3);
+    EXPECT_LT(most, 4 * model);
   }
 }
 

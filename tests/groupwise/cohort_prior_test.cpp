@@ -48,7 +48,8 @@ TEST_F(CohortPrior, ShapesThatVaryInTwoWaysExplainEachOther) {
   for (int i = 0; i < 6; ++i) shapes.push_back(displaced(rng.normal() * first + rng.normal() * second));
   const CohortPriors priors = cohort_priors(surface, functions, shapes);
   EXPECT_EQ(priors.unexplained_share, CohortPriorOptions().least_share);
-  for (const DisplacementPrior& prior : priors.of_members) {
+  for (int i = 0; i < 6; ++i) {
+    const DisplacementPrior prior = priors.of_member(i);
     EXPECT_EQ(prior.variance, priors.unexplained_share);
     const Eigen::VectorXd variances = (prior.directions.transpose() * prior.directions).eigenvalues().real();
     EXPECT_EQ((variances.array() > 1e-6 * variances.maxCoeff()).count(), 2);
@@ -67,18 +68,19 @@ TEST_F(CohortPrior, IsWhatTheOthersHave) {
   const CohortPriors before = cohort_priors(surface, functions, shapes);
   shapes[2] = displaced(Eigen::VectorXd::Constant(coefficients, 0.3));
   const CohortPriors after = cohort_priors(surface, functions, shapes);
-  EXPECT_EQ(before.of_members[2].mean, after.of_members[2].mean);
-  EXPECT_EQ(before.of_members[2].directions, after.of_members[2].directions);
-  EXPECT_NE(before.of_members[1].mean, after.of_members[1].mean);
-  EXPECT_NE(before.of_newcomer.mean, after.of_newcomer.mean);
+  EXPECT_EQ(before.of_member(2).mean, after.of_member(2).mean);
+  EXPECT_EQ(before.of_member(2).directions, after.of_member(2).directions);
+  EXPECT_NE(before.of_member(1).mean, after.of_member(1).mean);
+  EXPECT_NE(before.of_newcomer().mean, after.of_newcomer().mean);
   shapes.erase(shapes.begin() + 2);
-  EXPECT_EQ(cohort_priors(surface, functions, shapes).of_newcomer.mean, after.of_members[2].mean);
+  EXPECT_EQ(cohort_priors(surface, functions, shapes).of_newcomer().mean, after.of_member(2).mean);
 }
 
 TEST_F(CohortPrior, TwoShapesTeachNothing) {
   const CohortPriors priors = cohort_priors(surface, functions, independent(2));
   EXPECT_EQ(priors.unexplained_share, 1);
-  for (const DisplacementPrior& prior : priors.of_members) {
+  for (int i = 0; i < 2; ++i) {
+    const DisplacementPrior prior = priors.of_member(i);
     EXPECT_EQ(prior.variance, 1);
     EXPECT_EQ(prior.mean.size(), 0);
     EXPECT_EQ(prior.directions.size(), 0);

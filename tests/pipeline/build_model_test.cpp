@@ -23,6 +23,7 @@ TEST(BuildModel, LandmarksLieOnEveryInputAndNoTriangleIsFlipped) {
   for (const ShapeOutcome& outcome : build.shapes) {
     SCOPED_TRACE(outcome.input.stem);
     EXPECT_TRUE(outcome.registration.shape_map.certificate.valid());
+    EXPECT_EQ(outcome.registration.shape_map.map.jumps.size(), 0) << "a map is not held beyond its use";
     ASSERT_EQ(outcome.landmarks.size(), build.landmarks.turns.size());
     const TriangleTree tree(outcome.input.mesh);
     for (const Vec3& p : outcome.landmarks) EXPECT_LT(tree.closest(p).squared_distance, 1e-12);
@@ -31,6 +32,7 @@ TEST(BuildModel, LandmarksLieOnEveryInputAndNoTriangleIsFlipped) {
     // Landmarks lie on the surface, so the chords cut off about h^2 / (6 r^2) = 2 % of a tube of radius r.
     EXPECT_NEAR(signed_volume(corresponding) / signed_volume(outcome.input.mesh), 1, 0.05);
   }
+  EXPECT_GT(build.reference_map.shape_map.map.jumps.size(), 0);
   EXPECT_GT(build.model.variance()[0], 0.6 * build.model.variance().sum()) << "one bump varies";
 }
 
@@ -115,6 +117,12 @@ TEST(RankReferences, BeginsWithTheShapeOfMedianSize) {
     shapes.push_back(shape("x", soup));
   }
   EXPECT_THAT(rank_references(shapes), ::testing::ElementsAre(2, 3, 1, 0, 4));
+}
+
+TEST(RankReferences, EndsWithWhatTakesMinutesToCutOpen) {
+  const InputShape ordinary = shape("ordinary", testing::torus_soup(16, 10)),
+                   large = shape("large", testing::torus_soup(400, 260));
+  EXPECT_THAT(rank_references({large, ordinary, large}), ::testing::ElementsAre(1, 0, 2));
 }
 
 }  // namespace

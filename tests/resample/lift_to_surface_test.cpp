@@ -8,6 +8,7 @@
 #include "foramen/core/rng.hpp"
 #include "resample/fixed_torus.hpp"
 #include "resample/mapped_tori.hpp"
+#include "support/heap_in_use.hpp"
 
 namespace foramen {
 namespace {
@@ -65,6 +66,13 @@ Vec2 place_of(const MappedSurface& m, const SurfacePoint& p) {
 
 double torus_distance(const Vec2& a, const Vec2& b) {
   return std::hypot(std::remainder(a.x() - b.x(), 1.0), std::remainder(a.y() - b.y(), 1.0));
+}
+
+TEST(TorusLocator, TakesLittleMemory) {
+  const MappedSurface m = bent(20000, 0.5, 3);
+  const double before = testing::heap_in_use();
+  const TorusLocator locator(m.mesh, m.map);
+  EXPECT_LT((testing::heap_in_use() - before) / m.mesh.face_count(), 96);  // bytes
 }
 
 TEST(TorusLocator, AgreesWithLookingAtAllTriangles) {

@@ -12,6 +12,7 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/core/rng.hpp"
+#include "support/heap_in_use.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
 
@@ -106,6 +107,14 @@ double distance_by_search(const std::array<Vec3, 3>& t, const Vec3& query) {
     return smallest(1 - v,
                     [&](double w) { return (t[0] + v * (t[1] - t[0]) + w * (t[2] - t[0]) - query).norm(); });
   });
+}
+
+// Refinement holds the trees and the locators (lift_to_surface_test.cpp) of all shapes.
+TEST(TriangleTree, TakesLittleMemory) {
+  const Mesh mesh = build_mesh(testing::torus_soup(160, 60, 30, 10));
+  const double before = testing::heap_in_use();
+  const TriangleTree tree(mesh);
+  EXPECT_LT((testing::heap_in_use() - before) / mesh.face_count(), 128);  // bytes
 }
 
 TEST(ClosestOnTriangle, ClosedForms) {

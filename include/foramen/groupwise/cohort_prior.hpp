@@ -18,10 +18,14 @@ struct CohortPriorOptions {
   double least_share = 0.02;  ///< Of variance that is always left to what no other shape does. In (0, 1].
 };
 
+/// What all shapes tell, from which the priors are made when they are needed: together they would grow with
+/// the square of the number of shapes.
 struct CohortPriors {
-  std::vector<DisplacementPrior> of_members;  ///< each from the others
-  DisplacementPrior of_newcomer;              ///< from all
-  double unexplained_share = 1;               ///< see cohort_priors()
+  Eigen::MatrixXd coefficients;  ///< a column per shape; empty: too few shapes to teach anything
+  double unexplained_share = 1;  ///< see cohort_priors()
+
+  DisplacementPrior of_member(int shape) const;  ///< from the others
+  DisplacementPrior of_newcomer() const;         ///< from all
 };
 
 /// For every shape the distribution of its displacement as the other shapes have it: mean and covariance of

@@ -49,7 +49,8 @@ struct BuildOptions {
 struct ShapeOutcome {
   InputShape input;
   RegisteredShape
-      registration;  ///< identity and the reference's own map for the reference; alignment only for ICP
+      registration;  ///< identity for the reference; alignment only for ICP. Its map is let go of as soon as
+                     ///< the landmarks are placed: a cohort of large shapes has no room for all of them.
   std::vector<Vec3> landmarks;  ///< on its input surface, in the input's coordinates, mm
   int unmatched = 0;            ///< ICP: landmarks without a normal-compatible point on this shape
   double seconds = 0;           ///< of registration
@@ -82,7 +83,8 @@ bool registered_together(const BuildOptions& options);
 ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunContext& ctx);
 
 /// The shapes from the most ordinary on, by a cheap rule: smallest sum of absolute deviations of log area and
-/// log volume from the cohort's medians. Equals in their order.
+/// log volume from the cohort's medians. Equals in their order; shapes of more than 100 000 vertices, whose
+/// loops take minutes, last.
 std::vector<int> rank_references(const std::vector<InputShape>& shapes);
 
 }  // namespace foramen

@@ -47,9 +47,12 @@ class TorusLocator {
   };
   /// Returns the grid's number, or -1 if dividing wins nothing.
   int build_grid(const std::vector<Entry>& entries, Place corner, int size_bits, int depth);
+  std::array<Place, 3> corners(int face) const;
 
   Mesh mesh_;
-  std::vector<std::array<Place, 3>> corners_;  // of each face, the first in the unit square or near it
+  std::vector<Place> places_;  // of each vertex
+  // Whole turns to be added to the places of a face's corners, so that its box begins in the unit square.
+  std::vector<std::array<std::array<std::int16_t, 2>, 3>> turns_;
   std::vector<Grid> grids_;
   std::vector<Cell> cells_;
   std::vector<Entry> entries_;

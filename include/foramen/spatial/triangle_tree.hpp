@@ -67,6 +67,10 @@ class TriangleTree {
   struct Query;
   struct Overlaps;
   void refresh();
+  std::array<Vec3, 3> triangle(std::size_t slot) const {
+    const auto& c = corners_[slot];
+    return {mesh_.position(VertexId(c[0])), mesh_.position(VertexId(c[1])), mesh_.position(VertexId(c[2]))};
+  }
   template <class Prune, class Visit>
   void traverse(const Query& query, const double& bound, const Prune& prune, const Visit& visit) const;
 
@@ -74,8 +78,8 @@ class TriangleTree {
   Vec3 origin_ = Vec3::Zero();
   std::vector<Node> nodes_;  // parents before children
   std::vector<NormalNode> normal_nodes_;
-  std::vector<int> order_;  // faces in the order of the leaves; the arrays below too
-  std::vector<std::array<Vec3, 3>> triangles_;
+  std::vector<int> order_;                   // faces in the order of the leaves; the arrays below too
+  std::vector<std::array<int, 3>> corners_;  // vertices: half the tree if the points stood here
   std::vector<Vec3> normals_;
   std::vector<char> sliver_;
 };
