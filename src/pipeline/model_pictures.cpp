@@ -13,6 +13,7 @@ namespace {
 constexpr int picture_width = 1000, plate_width = 1400;  // pixels
 constexpr int pictured_modes = 3;
 constexpr double pictured_sd = 2;
+constexpr double flat_margin = 1.5;  // the flat torus is twice as wide as the other parts of a strip
 constexpr double loop_radius_mm = 0.6;
 constexpr int checker_count = 320;
 
@@ -110,6 +111,8 @@ ReportPicture overview_picture(const Atlas& atlas, const ShapeModel& model) {
   MapScenes map = map_scenes(atlas);
   std::vector<Scene> strip{loops_scene(atlas), std::move(map.flat), std::move(map.surface),
                            plain_scene(model, model.mean(), SurfaceStyle::triangles)};
+  strip[1].surfaces.resize(1);  // without the triangles' edges, which are too fine here
+  strip[1].camera.height_mm *= flat_margin;
   strip[0].camera = strip[2].camera = view_of(surface, View::along_shortest, surface);
   strip[3].camera = view_of(mean, View::along_shortest, mean);
   return {
@@ -121,15 +124,20 @@ ReportPicture overview_picture(const Atlas& atlas, const ShapeModel& model) {
 
 ReportPicture first_mode_beside(const PicturedModel& baseline, const PicturedModel& ours) {
   std::vector<std::vector<Scene>> rows;
+  std::vector<Vec3> shown;
   for (double sd : {pictured_sd, -pictured_sd}) {
     auto& row = rows.emplace_back();
     for (const PicturedModel& pictured : {baseline, ours}) {
       const ShapeModel& model = *pictured.model;
-      const Eigen::VectorXd shape = model.along_mode(0, pictured.first_mode_sign * sd);
-      row.push_back(plain_scene(model, shape, SurfaceStyle::facets));
-      row.back().camera = view_of(unflattened(model.mean()), View::along_shortest, points_of_mode(model, 0));
+      row.push_back(
+          plain_scene(model, model.along_mode(0, pictured.first_mode_sign * sd), SurfaceStyle::facets));
+      for (Vec3& p : row.back().surfaces[0].soup.points) shown.push_back(p = pictured.placement * p);
     }
   }
+  auto mean = unflattened(ours.model->mean());
+  for (Vec3& p : mean) p = ours.placement * p;
+  for (auto& row : rows)
+    for (Scene& scene : row) scene.camera = view_of(mean, View::along_shortest, shown);
   return {"The first mode at +2 sd (above) and -2 sd (below): baseline (left), this model (right)",
           render_png(rows, picture_width), "first_mode_beside"};
 }

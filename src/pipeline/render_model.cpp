@@ -75,6 +75,15 @@ double common_sign(const ModelRecord& ours, const ModelRecord& baseline,
   return product < 0 ? -1 : 1;
 }
 
+Eigen::Affine3d transform_of(const fs::path& folder, const ModelRecord& record, const std::string& shape) {
+  const auto& names = record.atlas.names;
+  const auto found = std::find(names.begin(), names.end(), shape);
+  if (found == names.end())
+    throw IoError((folder / "atlas.h5").string() + ": has no transform of " + shape +
+                  "; build the model again");
+  return Eigen::Affine3d(record.atlas.transforms[static_cast<std::size_t>(found - names.begin())]);
+}
+
 std::vector<ReportPicture> beside_baseline(const fs::path& folder, const ModelRecord& ours,
                                            const fs::path& baseline_folder) {
   const ModelRecord baseline = read_model_record(baseline_folder);
@@ -82,8 +91,12 @@ std::vector<ReportPicture> beside_baseline(const fs::path& folder, const ModelRe
   if (shared.empty())
     throw InvalidInput(baseline_folder.string() + ": has no shape in common with " + folder.string() +
                        " (by name); build both from the same surfaces");
-  return {first_mode_beside({&baseline.loaded.model, common_sign(ours, baseline, shared)},
-                            {&ours.loaded.model, 1}),
+  // The baseline's coordinates to ours, by a shape of both.
+  const std::string& shape = ours.evaluation.names[shared.front().first];
+  const Eigen::Affine3d placement =
+      transform_of(folder, ours, shape) * transform_of(baseline_folder, baseline, shape).inverse();
+  return {first_mode_beside({&baseline.loaded.model, common_sign(ours, baseline, shared), placement},
+                            {&ours.loaded.model}),
           flips(folder, ours, baseline_folder, baseline, shared)};
 }
 

@@ -171,6 +171,19 @@ void set_camera(vtkRenderer& renderer, const Camera& scene) {
   renderer.ResetCameraClippingRange();
 }
 
+// An X server without a client starts anew and refuses connections while it does so, on which VTK aborts: one
+// window stays open, so that there is always a client between two pictures. Never destroyed, since VTK's own
+// objects may be gone by then.
+void keep_connected() {
+  [[maybe_unused]] static vtkRenderWindow* const kept = [] {
+    vtkRenderWindow* window = vtkRenderWindow::New();
+    window->SetOffScreenRendering(1);
+    window->SetSize(1, 1);
+    window->Render();
+    return window;
+  }();
+}
+
 // Pixels of a picture, counted from its top left corner.
 struct Panel {
   const Scene* scene;
@@ -224,6 +237,7 @@ std::string render_png(const std::vector<std::vector<Scene>>& rows, int width_pi
   const std::vector<Panel> panels = arranged(rows, width_pixels);
   FORAMEN_ASSERT(!panels.empty());
   const double height = panels.back().top + panels.back().height;
+  keep_connected();
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);

@@ -62,8 +62,10 @@ std::string command(std::initializer_list<double> numbers, const char* name) {
 }
 
 std::string ink_pdf(std::uint32_t colour, const char* name) {
-  const auto channel = [&](int shift) { return (colour >> shift & 0xffu) / 255.0; };
-  return command({channel(16), channel(8), channel(0)}, name);
+  std::string out;
+  // Of three digits, so that the byte comes back.
+  for (int shift : {16, 8, 0}) out += plain_number((colour >> shift & 0xffu) / 255.0, 3) + " ";
+  return out + name + "\n";
 }
 
 std::string stroke_pdf(const DrawnStroke& stroke, std::uint32_t ink) {

@@ -81,12 +81,14 @@ tables() {
   local title
   for title in "$@"; do
     printf '```\n'
-    awk -v RS= -v title="$title" 'index($0, title) == 1 { print; found = 1; exit } END { if (!found) exit 1 }' "$work/tables" ||
+    awk -v RS= -v title="$title" 'index($0, title) == 1 { gsub(/ +\n/, "\n"); sub(/ +$/, ""); print; found = 1; exit }
+      END { if (!found) exit 1 }' "$work/tables" ||
       fail "\`foramen compare\` printed no table \"$title\""
     printf '```\n\n'
   done
 }
-picture() { printf '![%s](%s)\n\n' "$(caption "$1" | tr -d '[]')" "$1"; }
+# picture FILE: under what was said of it.
+picture() { printf '![%s](%s)\n\n' "$(tr _ ' ' <<< "${1%.*}")" "$1"; }
 figure() { printf '## %s\n\n%s\n\n' "$1" "$2"; }
 
 files=(overview.png flips.png first_mode_beside.png generalization.svg specificity.svg ensemble_generalization.svg modes.png

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "foramen/evaluate/error_map.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "foramen/pipeline/atlas_file.hpp"
@@ -30,9 +32,10 @@ struct PicturedModel {
   const ShapeModel* model = nullptr;
   /// +1 or -1: the sign of a mode means nothing, and this turns the first as the other model's.
   double first_mode_sign = 1;
+  Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< of the model in the picture
 };
-/// The first mode at +2 sd (above) and -2 sd of the baseline (left) and of this model, each triangle flat, so
-/// that folds show. The paper's Fig. 3. \pre both have a mode
+/// The first mode at +2 sd (above) and -2 sd of the baseline (left) and of this model, seen by one camera,
+/// each triangle flat, so that folds show. The paper's Fig. 3. \pre both have a mode
 ReportPicture first_mode_beside(const PicturedModel& baseline, const PicturedModel& ours);
 
 /// How far the corresponding meshes are from their inputs: root mean square over the shapes, in colours on
