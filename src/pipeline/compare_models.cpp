@@ -17,11 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-std::string folder_name(const fs::path& model) {
-  const fs::path normal = fs::absolute(model).lexically_normal();
-  return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
-}
-
 // Models are named by their folders, or as they were given where two folders have one name.
 std::vector<std::string> names_of(const std::vector<fs::path>& models) {
   std::vector<std::string> names, given;
@@ -160,11 +155,8 @@ ModelComparison compare_models(const std::vector<fs::path>& models) {
   for (const NamedEvaluation& model : named)
     page.subtitle += (page.subtitle.empty() ? "" : ", ") + model.name;
   comparison.html = report_html(page);
-  const std::vector<std::string> files{"generalization.svg",          "specificity.svg",
-                                       "generalization_mean.svg",     "specificity_mean.svg",
-                                       "ensemble_generalization.svg", "compactness.svg"};
-  for (std::size_t i = 0; i < charts.size() && i < files.size(); ++i)
-    comparison.charts.emplace_back(files[i], svg_chart(charts[i]));
+  for (const Chart& chart : charts)
+    comparison.charts.emplace_back(chart.file_stem + ".svg", svg_chart_file(chart));
   return comparison;
 }
 

@@ -27,9 +27,7 @@ PageKind chosen(const std::optional<PageKind>& asked) {
 
 std::optional<Baseline> read_baseline(const fs::path& folder) {
   if (folder.empty()) return std::nullopt;
-  const fs::path normal = fs::absolute(folder).lexically_normal();
-  const fs::path name = (normal.has_filename() ? normal : normal.parent_path()).filename();
-  return Baseline{"baseline: " + name.string(), read_metrics_of_shapes(folder)};
+  return Baseline{"baseline: " + folder_name(folder), read_metrics_of_shapes(folder)};
 }
 
 std::string megabytes(std::size_t bytes) { return fixed(static_cast<double>(bytes) / 1e6, 1) + " MB"; }

@@ -13,7 +13,7 @@ struct CurvePoint {
   Estimate value;
 };
 struct Measure {
-  std::string title, y_label;
+  std::string file_stem, title, y_label;
   bool is_mean = true;  // of distances in mm, with a standard error
   std::function<std::vector<CurvePoint>(const Evaluation&)> points;
 };
@@ -31,33 +31,38 @@ std::vector<CurvePoint> of_refit(const std::optional<RefitGeneralization>& refit
 
 const std::vector<Measure>& measures() {
   static const std::vector<Measure> all{
-      {"Generalization, Hausdorff (leave one out)", "Hausdorff distance, mm", true,
+      {"generalization", "Generalization, Hausdorff (leave one out)", "Hausdorff distance, mm", true,
        [](const Evaluation& e) { return of_errors(e.leave_one_out.by_modes, &ErrorsAtModes::hausdorff); }},
-      {"Specificity, Hausdorff", "Hausdorff distance, mm", true,
+      {"specificity", "Specificity, Hausdorff", "Hausdorff distance, mm", true,
        [](const Evaluation& e) { return of_errors(e.specificity.by_modes, &ErrorsAtModes::hausdorff); }},
-      {"Generalization, mean surface (leave one out)", "mean surface distance, mm", true,
+      {"generalization_mean", "Generalization, mean surface (leave one out)", "mean surface distance, mm",
+       true,
        [](const Evaluation& e) { return of_errors(e.leave_one_out.by_modes, &ErrorsAtModes::mean_surface); }},
-      {"Specificity, mean surface", "mean surface distance, mm", true,
+      {"specificity_mean", "Specificity, mean surface", "mean surface distance, mm", true,
        [](const Evaluation& e) { return of_errors(e.specificity.by_modes, &ErrorsAtModes::mean_surface); }},
-      {"Generalization, ensemble form (in-sample)", "Hausdorff distance, mm", true,
+      {"ensemble_generalization", "Generalization, ensemble form (in-sample)", "Hausdorff distance, mm", true,
        [](const Evaluation& e) {
          std::vector<CurvePoint> out;
          for (const EnsembleAtModes& m : e.ensemble) out.push_back({m.modes, m.generalization});
          return out;
        }},
-      {"Compactness (share of the variance)", "share of the total variance", false,
+      {"compactness", "Compactness (share of the variance)", "share of the total variance", false,
        [](const Evaluation& e) {
          std::vector<CurvePoint> out;
          for (const CompactnessAtModes& m : e.compactness) out.push_back({m.modes, {m.fraction, 0}});
          return out;
        }},
-      {"Generalization, Hausdorff (refit, leave one shape out)", "Hausdorff distance, mm", true,
+      {"refit_generalization", "Generalization, Hausdorff (refit, leave one shape out)",
+       "Hausdorff distance, mm", true,
        [](const Evaluation& e) { return of_refit(e.refit, &ErrorsAtModes::hausdorff); }},
-      {"Generalization, mean surface (refit, leave one shape out)", "mean surface distance, mm", true,
+      {"refit_generalization_mean", "Generalization, mean surface (refit, leave one shape out)",
+       "mean surface distance, mm", true,
        [](const Evaluation& e) { return of_refit(e.refit, &ErrorsAtModes::mean_surface); }},
-      {"Generalization, Hausdorff (refit, leave one subject out)", "Hausdorff distance, mm", true,
+      {"refit_subject_generalization", "Generalization, Hausdorff (refit, leave one subject out)",
+       "Hausdorff distance, mm", true,
        [](const Evaluation& e) { return of_refit(e.refit_by_subject, &ErrorsAtModes::hausdorff); }},
-      {"Generalization, mean surface (refit, leave one subject out)", "mean surface distance, mm", true,
+      {"refit_subject_generalization_mean", "Generalization, mean surface (refit, leave one subject out)",
+       "mean surface distance, mm", true,
        [](const Evaluation& e) { return of_refit(e.refit_by_subject, &ErrorsAtModes::mean_surface); }},
   };
   return all;
@@ -74,6 +79,11 @@ std::vector<Measure> measures_of(const std::vector<NamedEvaluation>& evaluations
 }
 
 }  // namespace
+
+std::string folder_name(const std::filesystem::path& model) {
+  const auto normal = std::filesystem::absolute(model).lexically_normal();
+  return (normal.has_filename() ? normal : normal.parent_path()).filename().string();
+}
 
 const ErrorsAtModes* at_quoted_modes(const std::vector<ErrorsAtModes>& by_modes) {
   constexpr int quoted_modes = 8;
@@ -106,7 +116,7 @@ std::string drawn_shapes_line(const DrawnShapes& drawn) {
 std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations) {
   std::vector<Chart> charts;
   for (const Measure& measure : measures_of(evaluations)) {
-    Chart chart{measure.title, "number of modes", measure.y_label, {}};
+    Chart chart{measure.title, "number of modes", measure.y_label, {}, measure.file_stem};
     for (const NamedEvaluation& named : evaluations) {
       ChartSeries series{named.name, {}, {}, {}};
       for (const CurvePoint& p : measure.points(*named.evaluation)) {

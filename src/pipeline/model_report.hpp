@@ -1,9 +1,14 @@
 #pragma once
 
+#include <filesystem>
+
 #include "foramen/evaluate/evaluate_model.hpp"
 #include "foramen/report/report_page.hpp"
 
 namespace foramen {
+
+/// What a model is called: the last part of its folder's path, also where it ends in a slash or is ".".
+std::string folder_name(const std::filesystem::path& model);
 
 /// A named evaluation, as a curve in a chart.
 struct NamedEvaluation {

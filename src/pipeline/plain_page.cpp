@@ -16,8 +16,11 @@ ReportSection summary_section(const PageContents& contents) {
 }
 
 ReportSection pictures_section(const ModelRecord& record) {
-  if (can_render())
-    return {.title = "Pictures", .pictures = model_pictures(record.atlas, record.loaded.model)};
+  if (can_render()) {
+    ReportSection section{.title = "Pictures", .pictures = model_pictures(record.atlas, record.loaded.model)};
+    section.pictures.push_back(mean_distance_picture(record.loaded.model, record.error_maps));
+    return section;
+  }
   return {.title = "Pictures",
           .paragraphs = {
               "None: this build has no VTK, or there was no display. With libvtk9-dev installed at "

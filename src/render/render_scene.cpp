@@ -24,11 +24,14 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
 #include <vtkTubeFilter.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <vtkAutoInit.h>
+VTK_MODULE_INIT(vtkRenderingFreeType)
 VTK_MODULE_INIT(vtkRenderingOpenGL2)
 #endif
 
@@ -143,6 +146,20 @@ vtkNew<vtkActor> curve_actor(const SceneCurve& curve) {
   return actor;
 }
 
+// \param pixels_per_mm  of the picture before it is shrunk
+vtkNew<vtkTextActor> text_actor(const SceneText& text, double pixels_per_mm) {
+  vtkNew<vtkTextActor> actor;
+  actor->SetInput(text.text.c_str());
+  actor->GetPositionCoordinate()->SetCoordinateSystemToWorld();
+  actor->GetPositionCoordinate()->SetValue(text.at.x(), text.at.y(), text.at.z());
+  vtkTextProperty& property = *actor->GetTextProperty();
+  property.SetFontFamilyToArial();
+  property.SetFontSize(static_cast<int>(std::lround(text.height_mm * pixels_per_mm)));
+  property.SetColor(0, 0, 0);
+  property.SetVerticalJustificationToCentered();
+  return actor;
+}
+
 void set_camera(vtkRenderer& renderer, const Camera& scene) {
   vtkCamera& camera = *renderer.GetActiveCamera();
   camera.ParallelProjectionOn();
@@ -152,6 +169,19 @@ void set_camera(vtkRenderer& renderer, const Camera& scene) {
   camera.SetViewUp(scene.up.data());
   camera.SetParallelScale(scene.height_mm / 2);
   renderer.ResetCameraClippingRange();
+}
+
+// An X server without a client starts anew and refuses connections while it does so, on which VTK aborts: one
+// window stays open, so that there is always a client between two pictures. Never destroyed, since VTK's own
+// objects may be gone by then.
+void keep_connected() {
+  [[maybe_unused]] static vtkRenderWindow* const kept = [] {
+    vtkRenderWindow* window = vtkRenderWindow::New();
+    window->SetOffScreenRendering(1);
+    window->SetSize(1, 1);
+    window->Render();
+    return window;
+  }();
 }
 
 // Pixels of a picture, counted from its top left corner.
@@ -207,6 +237,7 @@ std::string render_png(const std::vector<std::vector<Scene>>& rows, int width_pi
   const std::vector<Panel> panels = arranged(rows, width_pixels);
   FORAMEN_ASSERT(!panels.empty());
   const double height = panels.back().top + panels.back().height;
+  keep_connected();
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(0);
@@ -218,6 +249,8 @@ std::string render_png(const std::vector<std::vector<Scene>>& rows, int width_pi
     renderer->SetBackground(1, 1, 1);
     for (const SceneSurface& surface : panel.scene->surfaces) renderer->AddActor(surface_actor(surface));
     for (const SceneCurve& curve : panel.scene->curves) renderer->AddActor(curve_actor(curve));
+    const double pixels_per_mm = supersampling * panel.height / panel.scene->camera.height_mm;
+    for (const SceneText& text : panel.scene->texts) renderer->AddActor2D(text_actor(text, pixels_per_mm));
     vtkNew<vtkLightKit> lights;
     lights->SetKeyLightIntensity(key_light);
     lights->SetKeyToFillRatio(key_to_fill);

@@ -1,5 +1,6 @@
 #include "foramen/render/vertebra_scenes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -52,6 +53,26 @@ Camera view_of(std::span<const Vec3> points, View view, std::span<const Vec3> sh
     return Vec3(skew < 0 ? Vec3(-axes.col(axis)) : Vec3(axes.col(axis)));
   };
   return frame(shown, -oriented(along), -oriented(upward));
+}
+
+std::vector<Scene> at_one_scale(const Scene& contents, const std::vector<Camera>& cameras) {
+  FORAMEN_ASSERT(!cameras.empty());
+  double height_mm = 0;
+  for (const Camera& camera : cameras) height_mm = std::max(height_mm, camera.height_mm);
+  std::vector<Scene> scenes;
+  for (const Camera& camera : cameras) {
+    scenes.push_back(contents);
+    scenes.back().camera = camera;
+    scenes.back().camera.height_mm = height_mm;
+  }
+  return scenes;
+}
+
+std::vector<Scene> three_views(std::span<const Vec3> points, const Scene& contents) {
+  std::vector<Camera> cameras;
+  for (View view : {View::along_shortest, View::along_middle, View::along_longest})
+    cameras.push_back(view_of(points, view, points));
+  return at_one_scale(contents, cameras);
 }
 
 SceneSurface marked_surface(const TriangleSoup& surface, const std::vector<int>& marked, SurfaceStyle style) {

@@ -21,7 +21,7 @@ th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align
 th:first-child, td:first-child { text-align: left; } thead th { background: var(--faint); }
 td.long { text-align: left; white-space: normal; min-width: 13rem; }
 @media (prefers-color-scheme: dark) {
-  .series-0 line, .series-0 polyline { stroke: #3a9bdc; } .series-0 circle { fill: #3a9bdc; }
+  .series-0 polyline { stroke: #3a9bdc; } .series-0 circle { fill: #3a9bdc; }
 }
 @media print {
   :root { color-scheme: light; } body { max-width: none; padding: 0; font-size: 11pt; }

@@ -126,6 +126,14 @@ TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
   EXPECT_EQ(compared.code, 0);
   EXPECT_THAT(compared.output, HasSubstr("Specificity"));
   EXPECT_TRUE(fs::exists(folder() / "compare" / "specificity.svg"));
+
+  const fs::path curves = folder() / "curves";
+  const Outcome rendered = run("render --only-curves --json " + one.string() + " --baseline " + two.string() +
+                               " -o " + curves.string());
+  ASSERT_EQ(rendered.code, 0) << rendered.output;
+  const auto written = nlohmann::json::parse(rendered.output).at("files");
+  EXPECT_TRUE(written.contains("specificity.pdf"));
+  EXPECT_EQ(files_of(curves).size(), written.size());
 }
 
 TEST_F(Cli, ARefitIsReportedInEveryFile) {

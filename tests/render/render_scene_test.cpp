@@ -46,5 +46,16 @@ TEST(RenderPng, ARowFillsTheWidthAndTheSameSceneGivesTheSameBytes) {
   EXPECT_TRUE(render_png(rows, 240) == png);
 }
 
+TEST(RenderPng, TextIsDrawn) {
+  if (!can_render()) GTEST_SKIP() << "needs VTK and a display";
+  Scene scene = torus_scene();
+  const std::string without = render_png({{scene}}, 120);
+  scene.texts.push_back({"0.5 mm", scene.camera.centre, scene.camera.height_mm / 8});
+  const std::string with = render_png({{scene}}, 120);
+  EXPECT_FALSE(with == without);
+  scene.texts[0].at += 1000 * scene.camera.up;
+  EXPECT_TRUE(render_png({{scene}}, 120) == without);
+}
+
 }  // namespace
 }  // namespace foramen

@@ -51,5 +51,22 @@ TEST(MarkedSurface, TwoColoursOfTriangles) {
   EXPECT_EQ(surface.face_colours[3], surface.face_colours[5]);
 }
 
+TEST(ThreeViews, AreAtOneScaleAndShowTheContents) {
+  const TriangleSoup soup = lopsided_torus_soup(30, 16, 0.9);
+  Scene contents;
+  contents.surfaces.emplace_back().soup = soup;
+  const std::vector<Scene> views = three_views(soup.points, contents);
+  ASSERT_EQ(views.size(), 3u);
+  for (const Scene& view : views) {
+    EXPECT_EQ(view.surfaces.size(), 1u);
+    EXPECT_EQ(view.camera.height_mm, views[0].camera.height_mm);
+    for (const Vec3& p : soup.points) {
+      EXPECT_LT(std::abs(in_picture(view.camera, p).x()), view.camera.width_mm / 2);
+      EXPECT_LT(std::abs(in_picture(view.camera, p).y()), view.camera.height_mm / 2);
+    }
+  }
+  EXPECT_LT(std::abs(views[0].camera.direction.dot(views[1].camera.direction)), 1e-9);
+}
+
 }  // namespace
 }  // namespace foramen

@@ -81,5 +81,12 @@ TEST(SvgChart, AChartWithoutPointsIsStillAChart) {
   EXPECT_THAT(svg_chart({"flat", "x", "y", {{"a", {1}, {0}, {}}}}), Not(HasSubstr("nan")));
 }
 
+TEST(SvgChart, AFileOfItsOwnIsOnWhite) {
+  const Chart chart{"t", "x", "y", {{"a", {1, 2}, {1, 2}, {}}}};
+  EXPECT_THAT(svg_chart(chart), Not(HasSubstr("white")));
+  EXPECT_THAT(svg_chart_file(chart), HasSubstr("fill=\"white\""));
+  EXPECT_THAT(svg_chart_file(chart), HasSubstr(" width=\"440\" height=\"300\""));
+}
+
 }  // namespace
 }  // namespace foramen

@@ -37,6 +37,13 @@ struct SceneCurve {
   double radius = 0.6;  ///< mm
 };
 
+/// One line of text in the plane of the picture.
+struct SceneText {
+  std::string text;
+  Vec3 at = Vec3::Zero();  ///< the middle of its left edge
+  double height_mm = 1;    ///< of the font
+};
+
 /// Parallel projection. `direction` is where the camera looks, `up` is upward in the picture.
 struct Camera {
   Vec3 centre = Vec3::Zero();  ///< of the picture
@@ -47,6 +54,7 @@ struct Camera {
 struct Scene {
   std::vector<SceneSurface> surfaces;
   std::vector<SceneCurve> curves;
+  std::vector<SceneText> texts = {};
   Camera camera;
 };
 

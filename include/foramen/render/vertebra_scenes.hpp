@@ -22,6 +22,12 @@ enum class View { along_shortest, along_middle, along_longest };
 /// `shown` (all points that are to be in the picture) from that side of `points`.
 Camera view_of(std::span<const Vec3> points, View view, std::span<const Vec3> shown);
 
+/// The contents seen by these cameras beside each other, at one scale. \pre at least one camera
+std::vector<Scene> at_one_scale(const Scene& contents, const std::vector<Camera>& cameras);
+
+/// The contents from the three sides of these points, at one scale.
+std::vector<Scene> three_views(std::span<const Vec3> points, const Scene& contents);
+
 /// A surface with some triangles marked red.
 SceneSurface marked_surface(const TriangleSoup& surface, const std::vector<int>& marked, SurfaceStyle style);
 

@@ -17,7 +17,8 @@ struct ReportTable {
 
 struct ReportPicture {
   std::string caption;
-  std::string png;  ///< the file's bytes
+  std::string png;             ///< the file's bytes
+  std::string file_stem = {};  ///< what its file is called, where it is written to one
 };
 
 /// Its parts appear in this order.
