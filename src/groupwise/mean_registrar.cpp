@@ -36,7 +36,7 @@ struct MeanRegistrar::Impl {
       : options(how),
         reference(reference_of(surface, ctx)),
         mean({surface.mesh, reference.shape_map.map}, options),
-        prior(cohort_priors(surface.mesh, mean.displacements, training, options.cohort).of_newcomer) {}
+        prior(cohort_priors(surface.mesh, mean.displacements, training, options.cohort).of_newcomer()) {}
 };
 
 MeanRegistrar::MeanRegistrar(const TemplateSurface& mean, std::span<const std::vector<Vec3>> training,
@@ -52,9 +52,8 @@ std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunCont
   const MemberSteps steps(impl_->reference, single, impl_->options);
   Member member;
   member.input = &surface;
-  member.prior = impl_->prior;
   member.working = steps.simplified(surface);
-  steps.begin(member, align(surface, impl_->reference.mesh(), single), impl_->mean);
+  steps.begin(member, align(surface, impl_->reference.mesh(), single), impl_->mean, impl_->prior);
   steps.finish(member, impl_->mean);
   return lift_to_surface(TorusLocator(surface, member.result.shape_map.map), landmarks);
 }

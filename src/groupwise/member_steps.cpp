@@ -47,12 +47,13 @@ WorkingMesh MemberSteps::simplified(const Mesh& input) const {
   return simplify(input, single_, {.target_vertices = options_.working_vertices});
 }
 
-void MemberSteps::begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to) const {
+void MemberSteps::begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to,
+                        const DisplacementPrior& prior) const {
   RegisteredShape& result = member.result;
   result.alignment = to_reference;
   member.to_template = result.alignment.transform;
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
-  member.bent = bent_onto(aligned, to, options_.first, {}, member.prior);
+  member.bent = bent_onto(aligned, to, options_.first, {}, prior);
 
   const Mesh carried = bent_back(aligned, to.surface, member.bent);
   FirstMap first = first_map(carried, aligned, reference_.loops, options_.initial_map, options_.edge_cost);

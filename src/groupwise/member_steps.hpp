@@ -47,7 +47,9 @@ class MemberSteps {
   WorkingMesh simplified(const Mesh& input) const;
   /// The first map, from the rigid alignment to the reference, and its registration to the first template.
   /// \pre the working mesh is there
-  void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to) const;
+  /// \param prior  of the template's displacement onto it, if anything is known
+  void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to,
+             const DisplacementPrior& prior = {}) const;
   /// Another template's vertices where the map has the corresponding points. \pre to_template is up to date
   void place(Member& member, const PreparedTemplate& to) const;
   /// Once more, to the template that was placed. \param prior  of its displacement onto the shape
