@@ -112,6 +112,8 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
                                       static_cast<double>(fixed_turn) / static_cast<double>(fixed_turn)) +
                        " times, not once; are its periods right?");
   build_grid(entries, {0, 0}, fixed_bits, 0);
+  cells_.shrink_to_fit();
+  entries_.shrink_to_fit();
 }
 
 std::array<TorusLocator::Place, 3> TorusLocator::corners(int face) const {

@@ -166,6 +166,7 @@ struct TriangleTree::Builder {
 
 TriangleTree::TriangleTree(const Mesh& mesh) : mesh_(mesh) {
   Builder builder(*this);
+  nodes_.shrink_to_fit();
   normal_nodes_.resize(nodes_.size());
   refresh();
 }
