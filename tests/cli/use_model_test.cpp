@@ -93,7 +93,7 @@ TEST_F(UseModel, ProjectGivesLandmarksScoresAndResidual) {
 
   const Table scores = read_csv(at("projected/scores.csv")), own = read_csv(at("model/scores.csv"));
   EXPECT_EQ(scores.header, own.header);
-  EXPECT_NEAR(parse_number(scores.rows[0][1]), parse_number(own.rows[1][1]), 0.3);
+  EXPECT_NEAR(parse_number(scores.rows[0][1]), parse_number(own.rows[1][1]), 0.5) << "registered anew, once";
   const TriangleSoup landmarks = read_mesh(at("projected/corresponding/unseen.ply")).soup;
   EXPECT_EQ(landmarks.triangles, read_mesh(at("model/mean.ply")).soup.triangles);
   EXPECT_THAT(bytes_of(at("projected/residual/unseen.ply")), HasSubstr("property float distance_mm"));
@@ -115,7 +115,7 @@ TEST_F(UseModel, ProjectNamesWhatItCannotUse) {
   EXPECT_THAT(refused.output, HasSubstr("open.ply"));
   EXPECT_TRUE(fs::exists(at("mixed/fit/unseen.ply"))) << "one bad surface does not cost the others";
   const Outcome nobody =
-      run("project --leave-out nobody " + at("model") + " " + at("unseen.ply") + " -o " + at("none"));
+      run("project " + at("model") + " " + at("unseen.ply") + " -o " + at("none") + " --leave-out nobody");
   EXPECT_EQ(nobody.code, 1);
   EXPECT_THAT(nobody.output, HasSubstr("nobody"));
   EXPECT_FALSE(fs::exists(at("none")));

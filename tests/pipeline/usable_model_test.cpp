@@ -59,7 +59,10 @@ TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
     EXPECT_LT(rms(found, transformed(shape.landmarks, pose)), 0.5) << shape.input.stem;
     const ProjectedShape own = project_shape(shape.landmarks, model.aligned, model.scale),
                          again = project_shape(found, model.aligned, model.scale);
-    EXPECT_LT((own.scores - again.scores).head(1).norm(), 0.2);
+    // In mm, root mean square over landmarks: shapes of so few points vary little more than they are matched.
+    const ShapeModel& modes = model.aligned.model;
+    EXPECT_LT(std::abs(own.scores[0] - again.scores[0]) * std::sqrt(modes.variance()[0] / modes.landmarks()),
+              0.35);
   }
 }
 
