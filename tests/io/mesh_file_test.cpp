@@ -60,6 +60,26 @@ TEST(WritePly, SameBytesTwice) {
   EXPECT_EQ(bytes_of(folder.file("a.ply")), bytes_of(folder.file("b.ply")));
 }
 
+TEST(WritePly, ScalarsStandBesideThePointsAndLeaveThemAlone) {
+  const TemporaryFolder folder;
+  const TriangleSoup soup = testing::torus_soup(12, 9);
+  const std::vector<double> distances(soup.points.size(), 1.5);
+  const std::vector<VertexScalar> scalars{{"distance_mm", distances}, {"seen", distances}};
+  write_ply(folder.file("plain.ply"), soup);
+  write_ply(folder.file("scalars.ply"), soup, AnatomicalSpace::ras, scalars);
+  const MeshFile plain = read_mesh(folder.file("plain.ply")), read = read_mesh(folder.file("scalars.ply"));
+  EXPECT_EQ(read.soup.points, plain.soup.points);
+  EXPECT_EQ(read.soup.triangles, soup.triangles);
+  EXPECT_EQ(read.space, AnatomicalSpace::ras);
+  const std::string bytes = bytes_of(folder.file("scalars.ply"));
+  EXPECT_THAT(bytes, HasSubstr("property float z\nproperty float distance_mm\nproperty float seen\n"));
+  EXPECT_EQ(bytes.size() - bytes_of(folder.file("plain.ply")).size(),
+            8 * soup.points.size() + std::string("property float distance_mm\nproperty float seen\n").size());
+
+  const std::vector<VertexScalar> too_few{{"short", {1, 2}}};
+  EXPECT_THROW(write_ply(folder.file("none.ply"), soup, AnatomicalSpace::lps, too_few), InvalidInput);
+}
+
 TEST(WriteMesh, RefusesWhatCannotBeRead) {
   const TemporaryFolder folder;
   TriangleSoup soup = tetrahedron();
