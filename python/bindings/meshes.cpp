@@ -42,13 +42,12 @@ std::string inspect(const PointArray& points, const TriangleArray& triangles) {
 
 py::tuple repair(const PointArray& points, const TriangleArray& triangles, double handle_limit,
                  double hole_limit, int threads, const py::object& progress) {
-  TriangleSoup soup = soup_of(points, triangles);
+  const TriangleSoup soup = soup_of(points, triangles);
   RepairOptions options;
   options.handles.noise_mm = handle_limit;
   options.hole_perimeter_mm = hole_limit;
   RepairedMesh repaired;
-  run_unlocked(threads, progress,
-               [&](const RunContext& ctx) { repaired = repair_mesh(std::move(soup), options, ctx); });
+  run_unlocked(threads, progress, [&](const RunContext& ctx) { repaired = repair_mesh(soup, options, ctx); });
   py::array_t<int> origin(static_cast<py::ssize_t>(repaired.mesh.vertex_count()));
   for (VertexId v : repaired.mesh.vertices()) origin.mutable_at(v.index) = repaired.origin[v].index;
   return py::make_tuple(points_array(repaired.mesh.positions()), triangles_array(repaired.mesh.triangles()),

@@ -98,7 +98,7 @@ std::string report(const std::string& model, const std::string& output, const st
   if (plain) options.kind = PageKind::plain;
   options.baseline = baseline;
   const ModelPage page = model_page(model, options);
-  const std::string path = output.empty() ? (std::filesystem::path(model) / "report.html").string() : output;
+  std::string path = output.empty() ? (std::filesystem::path(model) / "report.html").string() : output;
   write_file(path, page.html);
   return path;
 }

@@ -109,7 +109,8 @@ DrawnPart curve(const ChartSeries& s, std::size_t index, const Frame& f) {
 DrawnPart legend_entry(const ChartSeries& s, std::size_t index) {
   const double column_width = (width - left - right) / legend_columns;
   const double x = left + column_width * static_cast<double>(index % legend_columns);
-  const double y = title_height + 6 + legend_line * static_cast<double>(index / legend_columns);
+  const std::size_t row = index / legend_columns;
+  const double y = title_height + 6 + legend_line * static_cast<double>(row);
   return {index, {{{{x, y - 4}, {x + 20, y - 4}}, swatch_width}}, {}, {{{x + 26, y}, Anchor::start, s.name}}};
 }
 
