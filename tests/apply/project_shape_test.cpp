@@ -19,7 +19,7 @@ class ProjectShape : public ::testing::TestWithParam<ScaleMode> {};
 TEST_P(ProjectShape, OfATrainingShapeIsThatShapeInAnyPose) {
   const AlignedModel model = small_model(GetParam());
   Rng rng(3);
-  const std::vector<Vec3>& shape = testing::torus_cohort().corresponding[2];
+  const std::vector<Vec3> shape = testing::torus_cohort().corresponding[2];
   const Eigen::VectorXd own = model.model.scores(flattened(model.alignment.aligned[2]), model.model.modes())
                                   .cwiseQuotient(model.model.variance().cwiseSqrt());
   for (int k = 0; k < 3; ++k) {

@@ -119,6 +119,10 @@ TEST_F(UseModel, ProjectNamesWhatItCannotUse) {
   EXPECT_EQ(nobody.code, 1);
   EXPECT_THAT(nobody.output, HasSubstr("nobody"));
   EXPECT_FALSE(fs::exists(at("none")));
+  const Outcome two = run("project --leave-out synth001,synth003 --json " + at("model") + " " +
+                          at("unseen.ply") + " -o " + at("without_two"));
+  EXPECT_EQ(two.code, 0) << two.output;
+  EXPECT_THAT(bytes_of(at("without_two/project.json")), HasSubstr("\"synth003\""));
 }
 
 TEST_F(UseModel, CompleteGivesTheWholeWithItsDeviation) {
