@@ -212,9 +212,12 @@ void add_project(CLI::App& program, Run& run) {
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("surfaces", options->surfaces, "mesh files, or folders of them")->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();
-  command->add_option("--leave-out", options->leave_out,
-                      "training shapes to leave out of the model for a second distance (default: the one of "
-                      "the surface's own name)");
+  command
+      ->add_option("--leave-out", options->leave_out,
+                   "training shapes to leave out of the model for a second distance, comma-separated "
+                   "(default: the one of the surface's own name)")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   add_unit_option(*command, options->unit);
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return project(*options); }; });

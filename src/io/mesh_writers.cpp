@@ -83,6 +83,10 @@ std::string float_rows(const TriangleSoup& soup, std::span<const VertexScalar> s
 
 }  // namespace
 
+void write_ply(const std::filesystem::path& path, const TriangleSoup& soup, AnatomicalSpace space) {
+  write_ply(path, soup, space, {});
+}
+
 void write_ply(const std::filesystem::path& path, const TriangleSoup& soup, AnatomicalSpace space,
                std::span<const VertexScalar> scalars) {
   io_detail::check_writable(path, soup);
@@ -99,7 +103,7 @@ void write_ply(const std::filesystem::path& path, const TriangleSoup& soup, Anat
       "\nelement vertex " + std::to_string(soup.points.size()) +
       "\nproperty float x\nproperty float y\nproperty float z\n" + properties + "element face " +
       std::to_string(soup.triangles.size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  out += scalars.empty() ? float_coordinates(soup) : float_rows(soup, scalars);
+  out += float_rows(soup, scalars);
   out.reserve(out.size() + 13 * soup.triangles.size());
   for (const auto& triangle : soup.triangles) {
     out += '\3';

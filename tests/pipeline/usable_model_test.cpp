@@ -1,5 +1,7 @@
 #include "foramen/pipeline/usable_model.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "foramen/apply/project_shape.hpp"
@@ -59,10 +61,8 @@ TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
     EXPECT_LT(rms(found, transformed(shape.landmarks, pose)), 0.5) << shape.input.stem;
     const ProjectedShape own = project_shape(shape.landmarks, model.aligned, model.scale),
                          again = project_shape(found, model.aligned, model.scale);
-    // In mm, root mean square over landmarks: shapes of so few points vary little more than they are matched.
-    const ShapeModel& modes = model.aligned.model;
-    EXPECT_LT(std::abs(own.scores[0] - again.scores[0]) * std::sqrt(modes.variance()[0] / modes.landmarks()),
-              0.35);
+    // Tori this smooth let landmarks slide; on vertebrae scores come back to a tenth of a deviation.
+    EXPECT_LT(std::abs(own.scores[0] - again.scores[0]), 0.2);
   }
 }
 

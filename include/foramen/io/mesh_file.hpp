@@ -37,10 +37,14 @@ struct VertexScalar {
 };
 
 /// Binary little-endian PLY: float32 coordinates, `vertex_indices`, LF line ends, one SPACE comment
-/// (INTEROP 3.6). Scalars become float32 properties of the vertices, after the coordinates; viewers colour by
-/// them, other readers pass over them. Throws InvalidInput for a scalar that has not one value per point.
+/// (INTEROP 3.6).
 void write_ply(const std::filesystem::path& path, const TriangleSoup& soup,
-               AnatomicalSpace space = AnatomicalSpace::lps, std::span<const VertexScalar> scalars = {});
+               AnatomicalSpace space = AnatomicalSpace::lps);
+
+/// The same with scalars as float32 properties of the vertices, after the coordinates: viewers colour by
+/// them, other readers pass over them. Throws InvalidInput for a scalar that has not one value per point.
+void write_ply(const std::filesystem::path& path, const TriangleSoup& soup, AnatomicalSpace space,
+               std::span<const VertexScalar> scalars);
 
 /// VTK XML PolyData (ASCII-free appended-free inline base64 binary), with a SPACE field. Needs no VTK.
 void write_vtp(const std::filesystem::path& path, const TriangleSoup& soup,
