@@ -62,7 +62,7 @@ std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunCont
   member.to_template.linear() = motion.rotation;
   member.to_template.translation() = motion.translation;
   steps.place(member, impl_->mean);
-  steps.again(member, impl_->mean);
+  steps.again(member, impl_->mean, impl_->prior);
   steps.finish(member, impl_->mean);
   return lift_to_surface(TorusLocator(surface, member.result.shape_map.map), landmarks);
 }
