@@ -19,6 +19,7 @@ function(foramen_add_module name)
   target_link_libraries(${target}
     PUBLIC ${depends} ${arg_LINK}
     PRIVATE ${arg_LINK_PRIVATE} $<BUILD_INTERFACE:foramen_warnings>)
+  foramen_precompile(${target} library)
 
   install(TARGETS ${target} EXPORT foramen-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/foramen/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/foramen)
@@ -28,6 +29,8 @@ function(foramen_add_module name)
   install(FILES ${depends_file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
   set_property(GLOBAL APPEND PROPERTY FORAMEN_MODULES ${name})
 
+  # Those whose headers cost most and whose names do not clash.
+  set(together parameterize groupwise evaluate apply pipeline)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(FORAMEN_BUILD_TESTS AND tests)
     add_executable(${name}_tests ${tests})
@@ -35,6 +38,10 @@ function(foramen_add_module name)
     target_link_libraries(${name}_tests PRIVATE foramen::${name} foramen_test_support GTest::gtest_main
                                                 GTest::gmock foramen_warnings)
     target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR}/tests ${PROJECT_SOURCE_DIR}/src)
+    foramen_precompile(${name}_tests tests)
+    if(name IN_LIST together)
+      foramen_compile_together(${name}_tests)
+    endif()
     foreach(kind quick real)
       set(filter "-*RealData*")
       if(kind STREQUAL real)
@@ -57,4 +64,22 @@ endfunction()
 # Tests are compiled more often than they are waited for; what they test is optimised all the same.
 function(foramen_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# foramen_precompile(TARGET HEADERS): compile TARGET with cmake/precompiled/HEADERS.hpp parsed once; the first target that asks
+# parses it for all, so they must be compiled with the same options.
+function(foramen_precompile target headers)
+  get_property(owner GLOBAL PROPERTY FORAMEN_PRECOMPILED_${headers})
+  if(owner)
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  else()
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled/${headers}.hpp)
+    set_property(GLOBAL PROPERTY FORAMEN_PRECOMPILED_${headers} ${target})
+  endif()
+endfunction()
+
+# foramen_compile_together(TARGET): sources for which headers cost most, several at a time. Their names must then differ
+# within anonymous namespaces too.
+function(foramen_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${FORAMEN_UNITY} UNITY_BUILD_BATCH_SIZE 6)
 endfunction()

@@ -15,12 +15,12 @@ namespace {
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
-const EvaluationOptions quick{.draws = 6, .samples = 200, .specificity_samples = 50};
+const EvaluationOptions few_draws{.draws = 6, .samples = 200, .specificity_samples = 50};
 
 Evaluation small_evaluation() {
   CorrespondingCohort cohort = testing::torus_cohort({.shapes = 5, .amplitude_mm = 5});
   cohort.corresponding[1][30] += 1.6 * (cohort.corresponding[1][38] - cohort.corresponding[1][30]);
-  return evaluate_model(cohort, quick, RunContext(2));
+  return evaluate_model(cohort, few_draws, RunContext(2));
 }
 
 void expect_same(const Estimate& a, const Estimate& b) {

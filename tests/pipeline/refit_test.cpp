@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 const GeneralizationOptions measure{.samples = 1000};
 
-BuildOptions quick() {
+BuildOptions quick_build() {
   BuildOptions options = testing::small();
   options.landmarks = 600;
   options.grid_points = 6000;
@@ -54,7 +54,7 @@ double representation_error(const ShapeOutcome& shape, const LandmarkMesh& landm
 }
 
 TEST(Refit, AShapeWhoseTwinIsInTheModelIsDescribedAsWellAsItIsRepresented) {
-  const BuildOptions options = quick();
+  const BuildOptions options = quick_build();
   const ModelBuild build = build_model(family_with_twins(), options, RunContext(2));
   ASSERT_EQ(build.shapes.size(), 5u);
   const RefitGeneralization refit = refit_generalization(build, {}, options, measure, RunContext(2));
@@ -70,11 +70,11 @@ TEST(Refit, AShapeWhoseTwinIsInTheModelIsDescribedAsWellAsItIsRepresented) {
 }
 
 TEST(Refit, TheModelOfTheOthersDoesNotSeeTheShape) {
-  BuildOptions options = quick();
+  BuildOptions options = quick_build();
   const ModelBuild one = build_model(family(), options, RunContext(2));
   options.reference = "s0";  // must not matter when it is left out
   const ModelBuild other = build_model(family_with_another_first(), options, RunContext(2));
-  const ModelBuild a = build_without(one, {0}, quick(), RunContext(2));
+  const ModelBuild a = build_without(one, {0}, quick_build(), RunContext(2));
   const ModelBuild b = build_without(other, {0}, options, RunContext(1));
   ASSERT_EQ(a.shapes.size(), 3u);
   EXPECT_EQ(a.landmarks.turns, b.landmarks.turns);
@@ -88,7 +88,7 @@ TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
   for (const auto& [method, objective, largest_mm] :
        {std::tuple{Method::icp, Objective::surface, 1e-9},
         std::tuple{Method::torus, Objective::neighbours, 1e-9}}) {
-    BuildOptions options = quick();
+    BuildOptions options = quick_build();
     options.method = method;
     options.objective = objective;
     const ModelBuild build = build_model(family(), options, RunContext(2));
@@ -101,7 +101,7 @@ TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
 }
 
 TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
-  BuildOptions options = quick();
+  BuildOptions options = quick_build();
   options.method = Method::icp;
   const ModelBuild build = build_model(family(), options, RunContext(2));
   GeneralizationOptions by_subject = measure;
@@ -119,7 +119,7 @@ TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
 }
 
 TEST(Refit, GroupsDoneBeforeAreTakenUp) {
-  BuildOptions options = quick();
+  BuildOptions options = quick_build();
   options.method = Method::icp;
   const ModelBuild build = build_model(family(), options, RunContext(2));
   GeneralizationOptions by_subject = measure;
@@ -143,7 +143,7 @@ TEST(Refit, GroupsDoneBeforeAreTakenUp) {
 }
 
 TEST(Refit, AStopRequestReachesTheBuilds) {
-  BuildOptions options = quick();
+  BuildOptions options = quick_build();
   options.method = Method::icp;
   const ModelBuild build = build_model(family(), options, RunContext(2));
   const RunContext stopped(1);
