@@ -1,11 +1,12 @@
-# foramen_add_module(NAME [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...] [PACKAGES package...])
+# foramen_add_module(NAME [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...] [PACKAGES package...]
+#                    [WHOLE_SUITES suite...])
 #
 # One library foramen_NAME (alias foramen::NAME) from src/NAME/*.cpp and include/foramen/NAME/*.hpp, installed as a
 # component of the package, and one test program NAME_tests from tests/NAME/*_test.cpp. PACKAGES are what a consumer of the
 # installed module must find beside Eigen, TBB and threads. Tests whose name contains RealData need the real shapes; all
-# others carry the label quick, which the sanitizer legs run.
+# others carry the label quick, which the sanitizer legs run. WHOLE_SUITES: see foramen_discover_tests.
 function(foramen_add_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LINK;LINK_PRIVATE;PACKAGES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LINK;LINK_PRIVATE;PACKAGES;WHOLE_SUITES")
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   set(target foramen_${name})
   add_library(${target} STATIC ${sources})
@@ -42,15 +43,8 @@ function(foramen_add_module name)
     if(name IN_LIST together)
       foramen_compile_together(${name}_tests)
     endif()
-    foreach(kind quick real)
-      set(filter "-*RealData*")
-      if(kind STREQUAL real)
-        set(filter "*RealData*")
-      endif()
-      gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. TEST_FILTER ${filter} TEST_LIST ${name}_${kind}
-                           DISCOVERY_TIMEOUT 120 PROPERTIES TIMEOUT 900 LABELS ${kind}
-                           SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
-    endforeach()
+    foramen_discover_tests(${name}_tests PREFIX ${name} LABEL quick WITHOUT *RealData* WHOLE ${arg_WHOLE_SUITES})
+    foramen_discover_tests(${name}_tests PREFIX ${name} LABEL real ONLY *RealData*)
   endif()
   file(GLOB benches CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/bench/${name}_bench.cpp)
   if(FORAMEN_BUILD_BENCH AND benches)
@@ -82,4 +76,23 @@ endfunction()
 # within anonymous namespaces too.
 function(foramen_compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${FORAMEN_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+endfunction()
+
+# foramen_discover_tests(PROGRAM PREFIX prefix LABEL label [ONLY pattern] [WITHOUT pattern] [WHOLE suite...])
+#
+# A ctest for each of the program's tests; one for all of a WHOLE suite, whose set-up would otherwise be made for every test.
+# Whole suites start first, so that none is still running when all others are done.
+function(foramen_discover_tests program)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;LABEL;ONLY;WITHOUT" "WHOLE")
+  set(without ${arg_WITHOUT})
+  foreach(suite IN LISTS arg_WHOLE)
+    list(APPEND without ${suite}.* ${suite}/*)
+    add_test(NAME ${arg_PREFIX}.${suite} COMMAND ${program} "--gtest_filter=${suite}.*:${suite}/*-${arg_WITHOUT}")
+    set_tests_properties(${arg_PREFIX}.${suite} PROPERTIES TIMEOUT 900 LABELS ${arg_LABEL} COST 100
+                         FAIL_REGULAR_EXPRESSION "Running 0 tests")
+  endforeach()
+  list(JOIN without ":" without)
+  gtest_discover_tests(${program} TEST_PREFIX ${arg_PREFIX}. TEST_FILTER "${arg_ONLY}-${without}"
+                       TEST_LIST ${program}_${arg_LABEL} DISCOVERY_TIMEOUT 120
+                       PROPERTIES TIMEOUT 900 LABELS ${arg_LABEL} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
 endfunction()

@@ -44,7 +44,7 @@ std::vector<LiftingShape> lifting_shapes(ModelBuild& build, const RunContext& ct
 void plant_trees(std::vector<LiftingShape>& shapes, const RunContext& ctx) {
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
     LiftingShape& shape = shapes[static_cast<std::size_t>(i)];
-    shape.tree = std::make_unique<TriangleTree>(shape.locator->mesh());
+    shape.tree = std::make_unique<TriangleTree>(shape.locator->mesh(), TreeNormals::none);
   });
 }
 

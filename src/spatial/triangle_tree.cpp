@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "spatial/triangle_closest.hpp"
 #include "spatial/triangle_tree_detail.hpp"
@@ -146,6 +147,7 @@ ClosestPoint TriangleTree::closest(const Vec3& query, double within) const {
 
 std::optional<ClosestPoint> TriangleTree::closest_compatible(const Vec3& query, const Vec3& normal,
                                                              double min_cosine, double within) const {
+  FORAMEN_ASSERT(kept_normals_ == TreeNormals::kept);
   Best best{within > 0 ? within * within : 0.0};
   const Eigen::Array3f n = normal.cast<float>().array();
   const auto least = static_cast<float>(min_cosine) - cosine_slack * std::max(1.0f, n.abs().sum());

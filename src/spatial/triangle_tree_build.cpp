@@ -164,10 +164,9 @@ struct TriangleTree::Builder {
   }
 };
 
-TriangleTree::TriangleTree(const Mesh& mesh) : mesh_(mesh) {
+TriangleTree::TriangleTree(const Mesh& mesh, TreeNormals normals) : mesh_(mesh), kept_normals_(normals) {
   Builder builder(*this);
   nodes_.shrink_to_fit();
-  normal_nodes_.resize(nodes_.size());
   refresh();
 }
 
@@ -183,13 +182,15 @@ void TriangleTree::refit(const Mesh& mesh) {
 // Everything that depends on positions.
 void TriangleTree::refresh() {
   const std::size_t count = order_.size();
+  const bool with_normals = kept_normals_ == TreeNormals::kept;
   corners_.resize(count);
-  normals_.resize(count);
+  normals_.resize(with_normals ? count : 0);
+  normal_nodes_.resize(with_normals ? nodes_.size() : 0);
   sliver_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
     corners_[i] = mesh_.triangles()[static_cast<std::size_t>(order_[i])];
     const auto t = triangle(i);
-    normals_[i] = unit_normal(t);
+    if (with_normals) normals_[i] = unit_normal(t);
     sliver_[i] = detail::is_sliver(t);
   }
   if (count == 0) return;
@@ -202,7 +203,6 @@ void TriangleTree::refresh() {
   std::vector<std::pair<Box, Box>> below(nodes_.size());  // boxes of points and of normals
   for (std::size_t n = nodes_.size(); n-- > 0;) {
     Node& node = nodes_[n];
-    NormalNode& normal_node = normal_nodes_[n];
     for (std::size_t k = 0; k < 4; ++k) {
       Box points, normals;
       const int child = node.child[k];
@@ -212,7 +212,7 @@ void TriangleTree::refresh() {
         for (int i = detail::leaf_first(child); i < detail::leaf_first(child) + detail::leaf_count(child);
              ++i) {
           points.add(box_of(triangle(static_cast<std::size_t>(i))));
-          normals.add(normals_[static_cast<std::size_t>(i)]);
+          if (with_normals) normals.add(normals_[static_cast<std::size_t>(i)]);
         }
       }
       below[n].first.add(points);
@@ -221,8 +221,9 @@ void TriangleTree::refresh() {
         const auto axis = static_cast<Eigen::Index>(i);
         node.low[i][k] = rounded_down(points.low[axis] - origin_[axis] - rounding);
         node.high[i][k] = rounded_up(points.high[axis] - origin_[axis] + rounding);
-        normal_node.low[i][k] = rounded_down(normals.low[axis]);
-        normal_node.high[i][k] = rounded_up(normals.high[axis]);
+        if (!with_normals) continue;
+        normal_nodes_[n].low[i][k] = rounded_down(normals.low[axis]);
+        normal_nodes_[n].high[i][k] = rounded_up(normals.high[axis]);
       }
     }
   }

@@ -1,5 +1,7 @@
 #include "foramen/pipeline/model_folder.hpp"
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "foramen/io/statismo_file.hpp"
@@ -17,17 +19,21 @@ Eigen::MatrixXd covariance(const Eigen::MatrixXd& basis, const Eigen::VectorXd& 
 
 class ModelFolder : public ::testing::TestWithParam<LandmarkWeights> {
  protected:
-  static ModelBuild build() {
+  // Made once for all tests of the same weights.
+  static const ModelBuild& build() {
+    static std::map<LandmarkWeights, ModelBuild> made;
+    const auto found = made.find(GetParam());
+    if (found != made.end()) return found->second;
     BuildOptions options = testing::small();
     options.landmarks = 300;
     options.weights = GetParam();
-    return build_model(testing::family(), options, RunContext(2));
+    return made.emplace(GetParam(), build_model(testing::family(), options, RunContext(2))).first->second;
   }
 };
 
 TEST_P(ModelFolder, TheModelReadBackIsTheModelBuilt) {
   const testing::TemporaryFolder folder;
-  const ModelBuild made = build();
+  const ModelBuild& made = build();
   write_model_files(folder.path(), made, "foramen build", 1);
   const LoadedModel loaded = load_model(folder.path());
   EXPECT_EQ(loaded.model.weights(), made.model.weights());
@@ -43,7 +49,7 @@ TEST_P(ModelFolder, TheModelReadBackIsTheModelBuilt) {
 // with the scores of the same shapes.
 TEST_P(ModelFolder, TheFileIsRightForReadersThatKnowNoWeights) {
   const testing::TemporaryFolder folder;
-  const ModelBuild made = build();
+  const ModelBuild& made = build();
   write_model_files(folder.path(), made, "foramen build", 1);
   const StatismoModel file = read_statismo(folder.file("model.h5"));
   const auto k = file.variance.size();

@@ -109,12 +109,20 @@ double distance_by_search(const std::array<Vec3, 3>& t, const Vec3& query) {
   });
 }
 
-// Refinement holds the trees and the locators (lift_to_surface_test.cpp) of all shapes.
-TEST(TriangleTree, TakesLittleMemory) {
+// Landmarks are placed with the trees and the locators (lift_to_surface_test.cpp) of all shapes at hand.
+TEST(TriangleTree, WithoutNormalsTakesLittleMemoryAndAnswersTheSame) {
   const Mesh mesh = build_mesh(testing::torus_soup(160, 60, 30, 10));
   const double before = testing::heap_in_use();
-  const TriangleTree tree(mesh);
-  EXPECT_LT((testing::heap_in_use() - before) / mesh.face_count(), 128);  // bytes
+  const TriangleTree small(mesh, TreeNormals::none);
+  EXPECT_LT((testing::heap_in_use() - before) / mesh.face_count(), 64);  // bytes
+  const TriangleTree whole(mesh);
+  Rng rng(7);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 query = random_point(rng, 40);
+    EXPECT_EQ(small.closest(query).on.face, whole.closest(query).on.face);
+    EXPECT_EQ(small.faces_within(query, 12), whole.faces_within(query, 12));
+  }
+  EXPECT_THROW(small.closest_compatible({0, 0, 0}, {0, 0, 1}), InternalError);
 }
 
 TEST(ClosestOnTriangle, ClosedForms) {

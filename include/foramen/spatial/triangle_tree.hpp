@@ -24,6 +24,10 @@ struct ClosestPoint {
 /// slivers and for triangles without area.
 ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3& query);
 
+/// Whether a tree can find the closest triangle of some direction. The normals are more than half of its
+/// memory.
+enum class TreeNormals { kept, none };
+
 /// The surface of a mesh, arranged for queries. All distances are exact point-to-triangle distances in double
 /// precision: the boxes are single precision, rounded outward, and only decide what need not be looked at.
 ///
@@ -31,12 +35,12 @@ ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3
 /// hierarchy: of several triangles at the same distance the one of smallest index is returned.
 class TriangleTree {
  public:
-  explicit TriangleTree(const Mesh& mesh);
+  explicit TriangleTree(const Mesh& mesh, TreeNormals normals = TreeNormals::kept);
   /// The closest point. \param within  only points closer than this distance [mm] (empty face id if there is
   /// none): a bound from elsewhere makes the search faster. Ties: the smaller face index.
   ClosestPoint closest(const Vec3& query, double within = std::numeric_limits<double>::infinity()) const;
   /// The closest point on a triangle whose unit normal n has n . normal > min_cosine; nullopt if no triangle
-  /// has. A triangle without area has no normal and is never compatible.
+  /// has. A triangle without area has no normal and is never compatible. \pre TreeNormals::kept
   std::optional<ClosestPoint> closest_compatible(
       const Vec3& query, const Vec3& normal, double min_cosine = 0.0,
       double within = std::numeric_limits<double>::infinity()) const;
@@ -75,10 +79,11 @@ class TriangleTree {
   void traverse(const Query& query, const double& bound, const Prune& prune, const Visit& visit) const;
 
   Mesh mesh_;
+  TreeNormals kept_normals_;
   Vec3 origin_ = Vec3::Zero();
-  std::vector<Node> nodes_;  // parents before children
-  std::vector<NormalNode> normal_nodes_;
-  std::vector<int> order_;                   // faces in the order of the leaves; the arrays below too
+  std::vector<Node> nodes_;               // parents before children
+  std::vector<NormalNode> normal_nodes_;  // as nodes_; both these and normals_ empty with TreeNormals::none
+  std::vector<int> order_;                // faces in the order of the leaves; the arrays below too
   std::vector<std::array<int, 3>> corners_;  // vertices: half the tree if the points stood here
   std::vector<Vec3> normals_;
   std::vector<char> sliver_;
