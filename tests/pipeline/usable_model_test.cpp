@@ -60,8 +60,8 @@ RigidTransform some_pose() {
   return pose.rotate(Eigen::AngleAxisd(2.0, Vec3(1, -1, 3).normalized())).pretranslate(Vec3(9, 80, -70));
 }
 
-// A training shape that comes as a new surface, in another pose, gets its own landmarks again, but for how far
-// they slide on a torus without features.
+// A training shape that comes as a new surface, in another pose, gets its own landmarks again, but for how
+// far they slide on a torus without features.
 TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
   const UsableModel model = read_usable_model(folder().path());
   const MeanRegistrar registrar = registrar_of(model, RunContext(1));
@@ -80,7 +80,7 @@ TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
 TEST(UsableModel, RealDataScoresOfATrainingShapeComeBack) {
   FORAMEN_NEEDS_REAL_DATA();
   Cohort cohort;
-  for (const std::string stem : {"verse005_L1", "verse005_L2", "verse561_L1"}) {
+  for (const std::string stem : {"verse005_L1", "verse005_L2", "verse561_L1", "verse561_L2", "verse561_L3"}) {
     InputShape& input = cohort.shapes.emplace_back();
     input.stem = stem;
     input.file_name = stem + ".ply";
@@ -92,11 +92,12 @@ TEST(UsableModel, RealDataScoresOfATrainingShapeComeBack) {
   write_model_files(model_folder.path(), built, "foramen build", 1);
   const UsableModel model = read_usable_model(model_folder.path());
   const MeanRegistrar registrar = registrar_of(model, RunContext(1));
-  for (const ShapeOutcome& shape : built.shapes) {
+  for (const std::size_t k : {std::size_t{1}, std::size_t{4}}) {
+    const ShapeOutcome& shape = built.shapes[k];
     const ProjectedShape own = project_shape(shape.landmarks, model.aligned, model.scale),
-                         again = project_shape(
-                             registrar.landmarks_on(transformed(shape.input.mesh, some_pose()), RunContext(1)),
-                             model.aligned, model.scale);
+                         again = project_shape(registrar.landmarks_on(
+                                                   transformed(shape.input.mesh, some_pose()), RunContext(1)),
+                                               model.aligned, model.scale);
     for (Eigen::Index m = 0; m < own.scores.size(); ++m)
       EXPECT_NEAR(own.scores[m], again.scores[m], 0.2) << shape.input.stem << ", mode " << m + 1;
   }
