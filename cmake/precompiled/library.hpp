@@ -1,4 +1,5 @@
-// What most sources include, parsed once a build. Sources still name what they use: clang-tidy reads them without this file.
+// What most sources include, parsed once a build. Sources still name what they use: clang-tidy reads them
+// without this file.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>
