@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
@@ -7,13 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/apply/complete_surface.hpp"
-#include "foramen/apply/part_surface.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/geometry.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/statismo_file.hpp"
+#include "foramen/pipeline/completion.hpp"
 #include "foramen/pipeline/usable_model.hpp"
 #include "repair_options.hpp"
 
@@ -22,9 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-// Another pose fits nearly as well: within this factor of the distance.
-constexpr double ambiguous_factor = 1.1;
 
 struct CompleteCommand {
   std::string model, surface, output;
@@ -42,12 +35,7 @@ Part read_part(const fs::path& file, LengthUnit unit) {
   MeshFile read = read_mesh(file);
   for (Vec3& p : read.soup.points) p *= millimetres_per(unit);
   try {
-    Part part{part_surface(read.soup), read.space.value_or(AnatomicalSpace::lps)};
-    if (const double diagonal = bounding_box(part.mesh.positions()).diagonal();
-        diagonal > largest_diagonal_mm)
-      throw InvalidInput("its bounding box has a diagonal of " + std::to_string(diagonal) +
-                         " mm, which is no vertebra's; give the unit of the file with --units");
-    return part;
+    return {usable_part(read.soup), read.space.value_or(AnatomicalSpace::lps)};
   } catch (const TopologyError& e) {
     throw TopologyError(file.string() + ": " + e.what());
   } catch (const InvalidInput& e) {
@@ -68,17 +56,6 @@ void write_posterior(const fs::path& path, const ShapeDistribution& shape, const
   write_statismo(path, file);
 }
 
-double mean_where(const std::vector<double>& values, const std::vector<bool>& seen, bool wanted) {
-  double sum = 0;
-  int count = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (seen[i] == wanted) {
-      sum += values[i];
-      ++count;
-    }
-  return count > 0 ? sum / count : 0;
-}
-
 int complete(const CompleteCommand& command) {
   const RunContext ctx = command.console.context();
   const UsableModel model = read_usable_model(command.model);
@@ -89,9 +66,8 @@ int complete(const CompleteCommand& command) {
   const CompletedSurface completed = complete_surface(part.mesh, model.aligned.model, ctx, options);
   ctx.step("complete", 1);
 
-  const std::vector<double> deviations = standard_deviations(completed.shape);
   const std::vector<VertexScalar> scalars{
-      {"standard_deviation_mm", deviations},
+      {"standard_deviation_mm", standard_deviations(completed.shape)},
       {"seen", std::vector<double>(completed.seen.begin(), completed.seen.end())}};
   TriangleSoup soup{unflattened(completed.shape.mean), model.landmarks.triangles};
   for (Vec3& p : soup.points) p /= millimetres_per(command.unit);
@@ -100,29 +76,19 @@ int complete(const CompleteCommand& command) {
   write_ply(folder / "completed.ply", soup, part.space, scalars);
   write_posterior(folder / "posterior.h5", completed.shape, model);
 
-  const auto seen = std::count(completed.seen.begin(), completed.seen.end(), true);
-  const double seen_share = static_cast<double>(seen) / static_cast<double>(completed.seen.size());
-  const ordered_json json{
-      {"surface", fs::path(command.surface).filename().string()},
-      {"distance_mm", completed.distance_mm},
-      {"matched_share", completed.matched_share},
-      {"seen_share", seen_share},
-      {"standard_deviation_seen_mm", mean_where(deviations, completed.seen, true)},
-      {"standard_deviation_unseen_mm", mean_where(deviations, completed.seen, false)},
-      {"second_best_pose_mm", std::isfinite(completed.second_best_mm) ? ordered_json(completed.second_best_mm)
-                                                                      : ordered_json(nullptr)}};
+  ordered_json json{{"surface", fs::path(command.surface).filename().string()}};
+  json.update(completion_json(completed));
   write_file(folder / "complete.json", json.dump(2) + "\n");
-  if (completed.second_best_mm < ambiguous_factor * completed.distance_mm)
-    command.console.warn("another pose fits nearly as well (" + std::to_string(completed.second_best_mm) +
-                         " mm against " + std::to_string(completed.distance_mm) + " mm): look at " +
-                         (folder / "completed.ply").string());
+  if (const auto note = completion_note(completed))
+    command.console.warn(*note + ": look at " + (folder / "completed.ply").string());
   if (command.console.json) std::cout << json.dump(2) << '\n';
+  const auto number = [&](const char* key) { return json.at(key).get<double>(); };
   char text[200];
   std::snprintf(text, sizeof text,
                 ": mean distance to the part %.2f mm; %.0f %% of the landmarks seen; standard deviation %.2f "
                 "mm where seen, %.2f mm elsewhere",
-                completed.distance_mm, 100 * seen_share, mean_where(deviations, completed.seen, true),
-                mean_where(deviations, completed.seen, false));
+                number("distance_mm"), 100 * number("seen_share"), number("standard_deviation_seen_mm"),
+                number("standard_deviation_unseen_mm"));
   command.console.say((folder / "completed.ply").string() + text);
   return ExitCode::done;
 }

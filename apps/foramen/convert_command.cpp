@@ -1,10 +1,9 @@
-#include <filesystem>
 #include <iostream>
 
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/pipeline/convert.hpp"
+#include "convert_options.hpp"
 
 namespace foramen::app {
 namespace {
@@ -16,18 +15,11 @@ struct ConvertCommand {
 
 int convert_files(ConvertCommand command) {
   ConvertRequest& request = command.request;
-  request.command = "foramen convert " + request.input.lexically_normal().filename().string();
-  if (request.scale == ScaleMode::remove) request.command += " --scale remove";
+  request.command = recorded_command(request);
   const ConvertSummary summary = convert(request, command.console.context());
   for (const std::string& note : summary.notes) command.console.warn(note);
   if (command.console.json)
-    std::cout << nlohmann::ordered_json{{"output", request.output.string()},
-                                        {"files", summary.files},
-                                        {"shapes", summary.shapes},
-                                        {"landmarks", summary.landmarks},
-                                        {"notes", summary.notes}}
-                     .dump(2)
-              << '\n';
+    std::cout << convert_json(request, summary).dump(2) << '\n';
   else
     command.console.say("wrote " + request.output.string() + ": " + std::to_string(summary.shapes) +
                         " shapes, " + std::to_string(summary.landmarks) + " landmarks, " +
@@ -62,30 +54,7 @@ void add_convert(CLI::App& program, Run& run) {
                    "file to write, its kind by its extension: .h5 .h5.json .swproj .tps .csv; or a folder of "
                    "meshes")
       ->required();
-  add_choice<std::optional<ExchangeFormat>>(
-      *command, "--to", request.format,
-      {{"h5", ExchangeFormat::statismo},
-       {"h5.json", ExchangeFormat::scalismo_json},
-       {"swproj", ExchangeFormat::shapeworks},
-       {"tps", ExchangeFormat::tps},
-       {"csv", ExchangeFormat::landmark_table},
-       {"scores", ExchangeFormat::score_table},
-       {"ply", ExchangeFormat::ply},
-       {"vtp", ExchangeFormat::vtp},
-       {"landmarks", ExchangeFormat::scalismo_landmarks}},
-      "what to write, where the extension does not say it: scores (.csv); "
-      "ply, vtp, landmarks (of Scalismo): folders");
-  add_choice<LengthUnit>(*command, "--units", request.unit,
-                         {{"mm", LengthUnit::millimetre},
-                          {"cm", LengthUnit::centimetre},
-                          {"m", LengthUnit::metre},
-                          {"um", LengthUnit::micrometre}},
-                         "of the input's shapes");
-  command->add_option("--triangles", request.triangles,
-                      "a mesh whose vertices the points are, for inputs without triangles");
-  add_choice<ScaleMode>(*command, "--scale", request.scale,
-                        {{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
-                        "keep or remove the shapes' size, where a model is made of shapes");
+  add_convert_options(*command, request);
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return convert_files(*options); }; });
 }

@@ -4,13 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/apply/measure_shape.hpp"
-#include "foramen/core/error.hpp"
-#include "foramen/io/mesh_file.hpp"
 #include "foramen/io/table_file.hpp"
+#include "foramen/pipeline/measure_shapes.hpp"
 #include "foramen/pipeline/measures_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
-#include "foramen/pipeline/read_cohort.hpp"
 #include "repair_options.hpp"
 
 namespace foramen::app {
@@ -34,47 +31,25 @@ std::vector<std::string> header_of(const MeasureDefinitions& definitions) {
   return header;
 }
 
-Row row_of(const std::string& shape, const ShapeMeasures& measures) {
-  Row row{shape};
-  for (const Vec3& p : measures.points)
+Row row_of(const MeasuredShape& shape) {
+  Row row{shape.name};
+  for (const Vec3& p : shape.measures.points)
     for (const double x : p) row.emplace_back(x);
-  for (const double d : measures.distances) row.emplace_back(d);
-  for (const double a : measures.areas) row.emplace_back(a);
+  for (const double d : shape.measures.distances) row.emplace_back(d);
+  for (const double a : shape.measures.areas) row.emplace_back(a);
   return row;
-}
-
-// A mesh in correspondence, in mm.
-ShapeMeasures measured(const Measurer& measurer, const fs::path& file, LengthUnit unit) {
-  TriangleSoup soup = read_mesh(file).soup;
-  for (Vec3& p : soup.points) p *= millimetres_per(unit);
-  try {
-    return measurer(build_mesh(std::move(soup)));
-  } catch (const InvalidInput& e) {
-    throw InvalidInput(file.string() + ": " + e.what());
-  }
 }
 
 int measure(const MeasureCommand& command) {
   const LoadedModel loaded = load_model(command.model);
   const MeasureDefinitions definitions = read_measures(command.definitions);
-  const Mesh mean = build_mesh({unflattened(loaded.model.mean()), loaded.model.triangles()});
-  const auto measurer = [&] {
-    try {
-      return Measurer(mean, definitions);
-    } catch (const InvalidInput& e) {
-      throw InvalidInput(command.definitions + ": " + e.what());
-    }
-  }();
-  const std::vector<fs::path> files = command.meshes.empty()
-                                          ? find_meshes({fs::path(command.model) / "corresponding"})
-                                          : find_meshes({command.meshes.begin(), command.meshes.end()});
-  const RunContext ctx = command.console.context();
+  const Measurer measurer = measurer_of(loaded.model, definitions, command.definitions);
+  std::vector<fs::path> inputs(command.meshes.begin(), command.meshes.end());
+  if (inputs.empty()) inputs = {fs::path(command.model) / "corresponding"};
   const std::vector<std::string> header = header_of(definitions);
   std::vector<Row> rows;
-  for (const fs::path& file : files) {
-    ctx.step("measure", static_cast<double>(rows.size()) / static_cast<double>(files.size()));
-    rows.push_back(row_of(file.stem().string(), measured(measurer, file, command.unit)));
-  }
+  for (const MeasuredShape& shape : measure_files(measurer, inputs, command.unit, command.console.context()))
+    rows.push_back(row_of(shape));
   write_csv(command.output, header, rows);
   if (command.console.json)
     std::cout << nlohmann::ordered_json{{"file", command.output},

@@ -23,13 +23,9 @@ int render(const PictureCommand& command) {
   const fs::path folder = command.output;
   const auto files =
       render_model(command.model, {.baseline = command.baseline, .only_curves = command.only_curves});
-  fs::create_directories(folder);
-  auto captions = nlohmann::ordered_json::object();
-  for (const RenderedFile& file : files) {
-    write_file(folder / file.name, file.bytes);
-    captions[file.name] = file.caption;
+  const nlohmann::ordered_json captions = write_rendered(files, folder);
+  for (const RenderedFile& file : files)
     command.console.say((folder / file.name).string() + ": " + file.caption);
-  }
   // Names of shapes and folders may be no UTF-8; JSON must be.
   if (command.console.json)
     std::cout << nlohmann::ordered_json{{"folder", command.output}, {"files", captions}}.dump(

@@ -1,22 +1,18 @@
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/apply/project_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/table_file.hpp"
 #include "foramen/pipeline/read_cohort.hpp"
-#include "foramen/pipeline/usable_model.hpp"
-#include "foramen/spatial/surface_distance.hpp"
+#include "foramen/pipeline/surface_projector.hpp"
 #include "repair_options.hpp"
 
 namespace foramen::app {
@@ -36,60 +32,19 @@ struct ProjectCommand {
 struct Projected {
   InputShape input;
   std::string failure;  // empty: none
-  std::vector<Vec3> landmarks;
-  ProjectedShape shape;
-  std::vector<std::string> left_out;      // training shapes
-  SurfaceDistance representation, fit;    // of the surface to its landmarks' mesh and to the fit
-  std::optional<SurfaceDistance> unseen;  // to the fit of the model without those left out
+  Projection projection;
 };
 
-class Projector {
- public:
-  Projector(const ProjectCommand& command, const RunContext& ctx)
-      : command_(command), model_(read_usable_model(command.model)), registrar_(registrar_of(model_, ctx)) {
-    if (!command.leave_out.empty()) without(command.leave_out);  // refused before the work begins
-  }
-
-  Projected operator()(const fs::path& file, const RunContext& ctx) const {
-    Projected result;
-    result.input = read_shape(file, command_.unit);
-    const Mesh& surface = result.input.mesh;
-    result.landmarks = registrar_.landmarks_on(surface, ctx);
-    result.shape = project_shape(result.landmarks, model_.aligned, model_.scale);
-    const TriangleTree tree(surface);
-    const auto distance_to = [&](const std::vector<Vec3>& points) {
-      return surface_distance(tree, TriangleTree(build_mesh({points, model_.landmarks.triangles})));
-    };
-    result.representation = distance_to(result.landmarks);
-    result.fit = distance_to(result.shape.fit);
-    result.left_out = command_.leave_out;
-    const auto& names = model_.names;
-    if (result.left_out.empty() && std::find(names.begin(), names.end(), result.input.stem) != names.end())
-      result.left_out = {result.input.stem};
-    if (!result.left_out.empty())
-      result.unseen =
-          distance_to(project_shape(result.landmarks, without(result.left_out), model_.scale).fit);
-    return result;
-  }
-
-  const UsableModel& model() const { return model_; }
-
- private:
-  AlignedModel without(const std::vector<std::string>& names) const {
-    return model_without(model_.aligned, model_.names, names, model_.scale);
-  }
-
-  const ProjectCommand& command_;
-  UsableModel model_;
-  MeanRegistrar registrar_;
-};
-
-// Distances of points to a surface, mm.
-std::vector<double> distances_to(const TriangleTree& surface, std::span<const Vec3> points) {
-  std::vector<double> distances;
-  distances.reserve(points.size());
-  for (const Vec3& p : points) distances.push_back(std::sqrt(surface.closest(p).squared_distance));
-  return distances;
+Projected projected(const fs::path& file, const ProjectCommand& command, const SurfaceProjector& projector,
+                    const RunContext& ctx) {
+  Projected result;
+  result.input = read_shape(file, command.unit);
+  std::vector<std::string> left_out = command.leave_out;
+  const auto& names = projector.model().names;
+  if (left_out.empty() && std::find(names.begin(), names.end(), result.input.stem) != names.end())
+    left_out = {result.input.stem};
+  result.projection = projector(result.input.mesh, left_out, ctx);
+  return result;
 }
 
 void write_meshes(const Projected& p, const UsableModel& model, const ProjectCommand& command) {
@@ -102,45 +57,32 @@ void write_meshes(const Projected& p, const UsableModel& model, const ProjectCom
     for (Vec3& q : scaled) q /= millimetres_per(command.unit);
     return scaled;
   };
-  const TriangleTree surface(p.input.mesh), fit(build_mesh({p.shape.fit, triangles}));
-  const VertexScalar of_fit{"distance_mm", distances_to(surface, p.shape.fit)},
-      of_surface{"distance_mm", distances_to(fit, p.input.mesh.positions())};
-  write_ply(folder / "corresponding" / file, {in_unit(p.landmarks), triangles}, space);
-  write_ply(folder / "fit" / file, {in_unit(p.shape.fit), triangles}, space, {&of_fit, 1});
+  const VertexScalar of_fit{"distance_mm", p.projection.fit_residual},
+      of_surface{"distance_mm", p.projection.residual};
+  write_ply(folder / "corresponding" / file, {in_unit(p.projection.landmarks), triangles}, space);
+  write_ply(folder / "fit" / file, {in_unit(p.projection.shape.fit), triangles}, space, {&of_fit, 1});
   write_ply(folder / "residual" / file, {in_unit(p.input.mesh.positions()), p.input.mesh.triangles()}, space,
             {&of_surface, 1});
 }
 
-ordered_json distance_json(const SurfaceDistance& d) {
-  return {{"mean_mm", d.mean}, {"p95_mm", d.p95}, {"hausdorff_mm", d.hausdorff}};
-}
-
 ordered_json record(const Projected& p) {
   ordered_json json{{"shape", p.input.stem}, {"file", p.input.file_name}, {"sha256", p.input.sha256}};
-  if (!p.failure.empty()) {
+  if (p.failure.empty())
+    json.update(projection_json(p.projection));
+  else
     json["failure"] = p.failure;
-    return json;
-  }
-  json["scores_sd"] = std::vector<double>(p.shape.scores.begin(), p.shape.scores.end());
-  json["representation"] = distance_json(p.representation);
-  json["fit"] = distance_json(p.fit);
-  json["fit"]["landmark_rms_mm"] = p.shape.landmark_rms;
-  if (p.unseen) {
-    json["left_out"] = p.left_out;
-    json["fit_without_left_out"] = distance_json(*p.unseen);
-  }
   return json;
 }
 
-std::string line(const Projected& p) {
+std::string line(const std::string& shape, const Projection& of) {
   char text[160];
   std::snprintf(text, sizeof text, ": distance to the model's fit: mean %.2f, p95 %.2f, largest %.2f mm",
-                p.fit.mean, p.fit.p95, p.fit.hausdorff);
-  std::string all = p.input.stem + text;
-  if (p.unseen) {
+                of.fit.mean, of.fit.p95, of.fit.hausdorff);
+  std::string all = shape + text;
+  if (const auto& others = of.fit_without_left_out) {
     std::snprintf(text, sizeof text, "; without %s%s: mean %.2f, p95 %.2f, largest %.2f mm",
-                  p.left_out.front().c_str(), p.left_out.size() > 1 ? " ..." : "", p.unseen->mean,
-                  p.unseen->p95, p.unseen->hausdorff);
+                  of.left_out.front().c_str(), of.left_out.size() > 1 ? " ..." : "", others->mean,
+                  others->p95, others->hausdorff);
     all += text;
   }
   return all;
@@ -153,7 +95,7 @@ void write_scores(const fs::path& path, const std::vector<Projected>& all, int m
   for (const Projected& p : all) {
     if (!p.failure.empty()) continue;
     Row row{p.input.stem};
-    for (const double score : p.shape.scores) row.emplace_back(score);
+    for (const double score : p.projection.shape.scores) row.emplace_back(score);
     rows.push_back(std::move(row));
   }
   write_csv(path, header, rows);
@@ -163,13 +105,14 @@ int project(const ProjectCommand& command) {
   const RunContext ctx = command.console.context();
   const std::vector<fs::path> files = find_meshes({command.surfaces.begin(), command.surfaces.end()});
   ctx.step("model", 0);
-  const Projector projector(command, ctx);
+  const SurfaceProjector projector(read_usable_model(command.model), ctx);
+  if (!command.leave_out.empty()) projector.without(command.leave_out);  // refused before the work begins
   std::vector<Projected> all(files.size());
   std::atomic<int> done{0};
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
     const auto k = static_cast<std::size_t>(i);
     try {
-      all[k] = projector(files[k], ctx.without_progress());
+      all[k] = projected(files[k], command, projector, ctx.without_progress());
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
@@ -187,7 +130,7 @@ int project(const ProjectCommand& command) {
     records.push_back(record(p));
     if (p.failure.empty()) {
       write_meshes(p, projector.model(), command);
-      command.console.say(line(p));
+      command.console.say(line(p.input.stem, p.projection));
     } else {
       failed = true;
       command.console.warn(p.input.file_name + ": " + p.failure);

@@ -41,6 +41,8 @@ void run_unlocked(int threads, const py::object& progress,
 void add_errors(py::module_& module);
 void add_meshes(py::module_& module);
 void add_models(py::module_& module);
+/// \pre add_models()
+void add_model_uses(py::module_& module);
 void add_runs(py::module_& module);
 
 }  // namespace foramen::python

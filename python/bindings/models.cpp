@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
@@ -9,18 +12,37 @@
 namespace foramen::python {
 namespace {
 
+using ScoreArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
 PointArray as_points(const Eigen::VectorXd& shape) { return points_array(unflattened(shape)); }
 
-// In standard deviations, as Python has all scores; foramen's are in mm.
-Eigen::VectorXd in_mm(const LoadedModel& loaded, const Eigen::VectorXd& scores) {
-  if (scores.size() > loaded.model.modes())
-    throw InvalidInput("scores: " + std::to_string(scores.size()) + " are given, the model has " +
-                       std::to_string(loaded.model.modes()) + " modes");
-  return scores.cwiseProduct(loaded.model.variance().head(scores.size()).cwiseSqrt());
+// (count, P, 3)
+py::array_t<double> shapes_array(const LoadedModel& loaded, py::ssize_t count) {
+  return py::array_t<double>({count, static_cast<py::ssize_t>(loaded.model.landmarks()), py::ssize_t{3}});
 }
 
-PointArray reconstruct(const LoadedModel& loaded, const Eigen::VectorXd& scores) {
-  return as_points(loaded.model.reconstruct(in_mm(loaded, scores)));
+// Shapes (N, P, 3) of scores (N, up to K) in standard deviations, as Python has all scores; foramen's are in
+// mm. Modes without a score are 0.
+py::array_t<double> reconstruct(const LoadedModel& loaded, const ScoreArray& scores) {
+  if (scores.ndim() != 2) throw InvalidInput("scores must be an array of shape (K,) or (N, K)");
+  const py::ssize_t count = scores.shape(0), given = scores.shape(1);
+  if (given > loaded.model.modes())
+    throw InvalidInput("scores: " + std::to_string(given) + " are given, the model has " +
+                       std::to_string(loaded.model.modes()) + " modes");
+  const double* const from = scores.data();
+  if (!std::all_of(from, from + count * given, [](double score) { return std::isfinite(score); }))
+    throw InvalidInput("scores: not all are finite; correct them");
+  py::array_t<double> out = shapes_array(loaded, count);
+  double* const values = out.mutable_data();
+  const py::gil_scoped_release unlocked;
+  const Eigen::Index size = loaded.model.mean().size();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    Eigen::VectorXd mm = Eigen::VectorXd::Zero(loaded.model.modes());
+    mm.head(given) = Eigen::Map<const Eigen::VectorXd>(from + i * given, given)
+                         .cwiseProduct(loaded.model.variance().head(given).cwiseSqrt());
+    Eigen::Map<Eigen::VectorXd>(values + i * size, size) = loaded.model.reconstruct(mm);
+  }
+  return out;
 }
 
 Eigen::VectorXd scores_of(const LoadedModel& loaded, const PointArray& points) {
@@ -36,8 +58,7 @@ Eigen::VectorXd scores_of(const LoadedModel& loaded, const PointArray& points) {
 py::array_t<double> sample(const LoadedModel& loaded, int count, std::uint64_t seed) {
   if (count < 0) throw InvalidInput("count is " + std::to_string(count) + "; it must be >= 0");
   const Eigen::Index size = loaded.model.mean().size();
-  py::array_t<double> out(
-      {static_cast<py::ssize_t>(count), static_cast<py::ssize_t>(size / 3), py::ssize_t{3}});
+  py::array_t<double> out = shapes_array(loaded, count);
   double* const values = out.mutable_data();
   const py::gil_scoped_release unlocked;
   const Rng root(seed);

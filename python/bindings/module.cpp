@@ -93,5 +93,6 @@ PYBIND11_MODULE(_foramen, module) {
   python::add_errors(module);
   python::add_meshes(module);
   python::add_models(module);
+  python::add_model_uses(module);
   python::add_runs(module);
 }

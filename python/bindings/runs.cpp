@@ -4,11 +4,13 @@
 
 #include "bindings.hpp"
 #include "build_options.hpp"
+#include "convert_options.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/pipeline/compare_models.hpp"
 #include "foramen/pipeline/evaluate_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
+#include "foramen/pipeline/render_model.hpp"
 #include "foramen/pipeline/run_extract.hpp"
 
 namespace foramen::python {
@@ -103,6 +105,25 @@ std::string report(const std::string& model, const std::string& output, const st
   return path;
 }
 
+std::string convert(const std::string& input, const std::string& output,
+                    const std::vector<std::string>& options, int threads, const py::object& progress) {
+  CLI::App command("", "convert");
+  ConvertRequest request{.input = input, .output = output};
+  app::add_convert_options(command, request);
+  parse(command, options);
+  request.command = app::recorded_command(request);
+  ConvertSummary summary;
+  run_unlocked(threads, progress, [&](const RunContext& ctx) { summary = foramen::convert(request, ctx); });
+  return text_of(app::convert_json(request, summary));
+}
+
+std::string render(const std::string& model, const std::string& output, const std::string& baseline,
+                   bool only_curves) {
+  const py::gil_scoped_release unlocked;
+  return text_of(
+      write_rendered(render_model(model, {.baseline = baseline, .only_curves = only_curves}), output));
+}
+
 }  // namespace
 
 void add_runs(py::module_& module) {
@@ -111,6 +132,8 @@ void add_runs(py::module_& module) {
   module.def("evaluate", &evaluate);
   module.def("compare", &compare);
   module.def("report", &report);
+  module.def("convert", &convert);
+  module.def("render", &render);
 }
 
 }  // namespace foramen::python

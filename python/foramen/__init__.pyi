@@ -32,6 +32,32 @@ class Repaired:
     origin: NDArray[np.int32]
     report: dict[str, Any]
 
+@dataclass
+class Projection:
+    points: NDArray[np.float64]
+    scores: NDArray[np.float64]
+    fit: NDArray[np.float64]
+    residual: NDArray[np.float64]
+    fit_residual: NDArray[np.float64]
+    figures: dict[str, Any]
+
+class Completion:
+    mesh: Mesh
+    sd: NDArray[np.float64]
+    seen: NDArray[np.bool_]
+    figures: dict[str, Any]
+    @property
+    def points(self) -> NDArray[np.float64]: ...
+    @property
+    def posterior(self) -> Model: ...
+
+@dataclass
+class Measures:
+    names: list[str]
+    points: dict[str, NDArray[np.float64]]
+    distances: dict[str, NDArray[np.float64]]
+    areas: dict[str, NDArray[np.float64]]
+
 class Model:
     mean: NDArray[np.float64]
     triangles: NDArray[np.int32]
@@ -50,6 +76,12 @@ class Model:
     def scores_of(self, points: ArrayLike) -> NDArray[np.float64]: ...
     def sample(self, count: int, seed: int = 1) -> NDArray[np.float64]: ...
     def along_mode(self, mode: int, sd: float) -> NDArray[np.float64]: ...
+    def project(self, mesh: Mesh, *, leave_out: Union[str, Iterable[str]] = (), threads: int = 0,
+                progress: Progress = None) -> Projection: ...
+    def complete(self, mesh: Mesh, *, noise_mm: float = 0.5, beyond_modes: float = 0.3, threads: int = 0,
+                 progress: Progress = None) -> Completion: ...
+    def measure(self, definitions: Union[Path, dict[str, Any]], shapes: Union[NDArray[Any], Paths, None] = None, *,
+                units: str = "mm", progress: Progress = None) -> Measures: ...
 
 def read_mesh(path: Path) -> Mesh: ...
 def write_mesh(path: Path, mesh: Mesh) -> None: ...
@@ -80,3 +112,7 @@ def evaluate(corresponding: Path, *, shapes: Optional[Path] = None, truth: Optio
 def compare(models: Sequence[Path]) -> dict[str, Any]: ...
 def report(model: Path, output: Optional[Path] = None, *, baseline: Optional[Path] = None,
            plain: bool = False) -> str: ...
+def convert(input: Path, output: Path, *, to: Optional[str] = None, units: Optional[str] = None,
+            triangles: Optional[Path] = None, scale: Optional[str] = None, threads: int = 0,
+            progress: Progress = None) -> dict[str, Any]: ...
+def render(model: Path, output: Path, *, baseline: Optional[Path] = None, only_curves: bool = False) -> dict[str, str]: ...

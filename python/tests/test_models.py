@@ -103,10 +103,15 @@ def test_the_stubs_name_what_there_is():
     import pathlib
 
     stubs = ast.parse((pathlib.Path(foramen.__file__).parent / "__init__.pyi").read_text())
-    functions = {node.name: node for node in stubs.body if isinstance(node, ast.FunctionDef)}
-    classes = {node.name for node in stubs.body if isinstance(node, ast.ClassDef)}
-    assert set(functions) | classes == set(foramen.__all__)
-    for name, node in functions.items():
-        assert getattr(foramen, name).__doc__, name
+    classes = {node.name: node for node in stubs.body if isinstance(node, ast.ClassDef)}
+    functions = {node.name: (node, getattr(foramen, node.name)) for node in stubs.body if isinstance(node, ast.FunctionDef)}
+    assert set(functions) | set(classes) == set(foramen.__all__)
+    methods = {node.name: node for node in classes["Model"].body if isinstance(node, ast.FunctionDef)}
+    assert set(methods) == {name for name in vars(foramen.Model) if not name.startswith("_")}
+    functions |= {name: (node, vars(foramen.Model)[name]) for name, node in methods.items()}
+    for name, (node, function) in functions.items():
+        assert function.__doc__, name
+        if isinstance(function, property):
+            continue
         arguments = [a.arg for a in node.args.args + node.args.kwonlyargs]
-        assert arguments == list(inspect.signature(getattr(foramen, name)).parameters), name
+        assert arguments == list(inspect.signature(getattr(function, "__func__", function)).parameters), name

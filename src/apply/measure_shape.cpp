@@ -46,7 +46,8 @@ std::size_t index_of(const std::vector<NamedPoint>& points, const std::string& k
 
 }  // namespace
 
-Measurer::Measurer(const Mesh& mean, const MeasureDefinitions& definitions) : triangles_(mean.triangles()) {
+Measurer::Measurer(const Mesh& mean, const MeasureDefinitions& definitions)
+    : landmarks_(mean.positions().size()), triangles_(mean.triangles()) {
   require_names_once("point", definitions.points);
   require_names_once("distance", definitions.distances);
   require_names_once("region", definitions.regions);
@@ -86,16 +87,33 @@ Measurer::Measurer(const Mesh& mean, const MeasureDefinitions& definitions) : tr
   }
 }
 
+std::array<Vec3, 3> Measurer::triangle(std::span<const Vec3> landmarks, FaceId face) const {
+  const auto& [a, b, c] = triangles_[static_cast<std::size_t>(face.index)];
+  const auto at = [&](int landmark) { return landmarks[static_cast<std::size_t>(landmark)]; };
+  return {at(a), at(b), at(c)};
+}
+
 ShapeMeasures Measurer::operator()(const Mesh& shape) const {
   if (shape.triangles() != triangles_)
     throw InvalidInput("its triangles are not those of the model; give a mesh with the model's landmarks");
+  return (*this)(shape.positions());
+}
+
+ShapeMeasures Measurer::operator()(std::span<const Vec3> landmarks) const {
+  if (landmarks.size() != landmarks_)
+    throw InvalidInput("a shape has " + std::to_string(landmarks.size()) + " landmarks, the model " +
+                       std::to_string(landmarks_) + "; give shapes with the model's landmarks");
   ShapeMeasures measures;
-  for (const SurfacePoint& point : points_) measures.points.push_back(position(shape, point));
+  for (const SurfacePoint& point : points_) {
+    const auto t = triangle(landmarks, point.face);
+    const Vec3& b = point.barycentric;
+    measures.points.push_back(b[0] * t[0] + b[1] * t[1] + b[2] * t[2]);
+  }
   for (const auto& [from, to] : distances_)
     measures.distances.push_back((measures.points[from] - measures.points[to]).norm());
   for (const std::vector<FaceId>& faces : regions_) {
     double sum = 0;
-    for (FaceId f : faces) sum += area(shape.triangle(f));
+    for (FaceId f : faces) sum += area(triangle(landmarks, f));
     measures.areas.push_back(sum);
   }
   return measures;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "foramen/core/error.hpp"
+#include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_pictures.hpp"
@@ -138,6 +141,16 @@ std::vector<RenderedFile> render_model(const fs::path& folder, const RenderOptio
     files.push_back({chart.file_stem + ".pdf", pdf_chart(chart), caption});
   }
   return files;
+}
+
+nlohmann::ordered_json write_rendered(const std::vector<RenderedFile>& files, const fs::path& folder) {
+  fs::create_directories(folder);
+  auto captions = nlohmann::ordered_json::object();
+  for (const RenderedFile& file : files) {
+    write_file(folder / file.name, file.bytes);
+    captions[file.name] = file.caption;
+  }
+  return captions;
 }
 
 }  // namespace foramen

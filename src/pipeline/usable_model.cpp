@@ -21,7 +21,10 @@ ScaleMode scale_of(const Atlas& atlas) {
 }  // namespace
 
 UsableModel read_usable_model(const std::filesystem::path& folder) {
-  LoadedModel loaded = load_model(folder);
+  return usable_model(load_model(folder), folder);
+}
+
+UsableModel usable_model(LoadedModel loaded, const std::filesystem::path& folder) {
   Atlas atlas = read_atlas(folder / "atlas.h5");
   const bool fits = std::ssize(atlas.names) == loaded.scores.cols() &&
                     atlas.landmarks.triangles == loaded.model.triangles() &&

@@ -61,6 +61,16 @@ TEST(MeasureShape, AreDefinedOnTheMeanAndFollowTheLandmarks) {
   EXPECT_NEAR(after.areas[1], 4 * before.areas[1], 1e-6);
 }
 
+TEST(MeasureShape, LandmarksAloneGiveTheSame) {
+  const Mesh mesh = torus();
+  const Measurer measurer(mesh, across());
+  const ShapeMeasures of_mesh = measurer(mesh), of_landmarks = measurer(mesh.positions());
+  EXPECT_EQ(of_landmarks.points, of_mesh.points);
+  EXPECT_EQ(of_landmarks.distances, of_mesh.distances);
+  EXPECT_EQ(of_landmarks.areas, of_mesh.areas);
+  EXPECT_THROW(measurer(mesh.positions().first(7)), InvalidInput);
+}
+
 TEST(MeasureShape, NamesWhatItRefuses) {
   const auto refused = [](const std::function<void(MeasureDefinitions&)>& spoil, const std::string& said) {
     MeasureDefinitions definitions = across();

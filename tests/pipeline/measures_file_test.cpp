@@ -49,6 +49,7 @@ TEST(MeasuresFile, NamesFileAndPartThatAreWrong) {
   refused(R"({"regions": {"r": {"centre": "a"}}})", "\"r\"");
   refused(R"({"regions": {"r": {"landmarks": [1.5]}}})", "\"r\"");
   EXPECT_THROW(read_measures(folder.path() / "none.json"), IoError);
+  EXPECT_THROW(parse_measures(R"({"points": [1]})"), InvalidInput) << "without a file";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 /// \file
 /// Distances and areas defined once on the mean and taken on any shape with the model's landmarks.
 
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -54,8 +55,13 @@ class Measurer {
   /// \pre the mean's triangles. Throws InvalidInput for others. Measures are invariant under rigid motion,
   /// points move with the shape.
   ShapeMeasures operator()(const Mesh& shape) const;
+  /// The same of the landmarks alone. Throws InvalidInput for another number than the mean's.
+  ShapeMeasures operator()(std::span<const Vec3> landmarks) const;
 
  private:
+  std::array<Vec3, 3> triangle(std::span<const Vec3> landmarks, FaceId face) const;
+
+  std::size_t landmarks_ = 0;
   std::vector<std::array<int, 3>> triangles_;
   std::vector<SurfacePoint> points_;
   std::vector<std::array<std::size_t, 2>> distances_;  // indices of points

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace foramen {
 
 struct RenderOptions {
@@ -25,5 +27,9 @@ struct RenderedFile {
 /// if a folder lacks a file, InvalidInput if the baseline has no shape in common with the model.
 std::vector<RenderedFile> render_model(const std::filesystem::path& folder,
                                        const RenderOptions& options = {});
+
+/// The files in a folder, which is made if need be; returns their captions by their names.
+nlohmann::ordered_json write_rendered(const std::vector<RenderedFile>& files,
+                                      const std::filesystem::path& folder);
 
 }  // namespace foramen

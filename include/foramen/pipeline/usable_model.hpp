@@ -24,6 +24,8 @@ struct UsableModel {
 
 /// Reads model.h5 and atlas.h5 of a model's folder. Throws IoError; also if the two are not of one model.
 UsableModel read_usable_model(const std::filesystem::path& folder);
+/// The same where model.h5 has been read.
+UsableModel usable_model(LoadedModel loaded, const std::filesystem::path& folder);
 
 /// For surfaces that are to get the model's landmarks. Throws TopologyError if the mean cannot be a template.
 MeanRegistrar registrar_of(const UsableModel& model, const RunContext& ctx);

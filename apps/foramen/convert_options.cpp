@@ -1,0 +1,48 @@
+#include "convert_options.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace foramen::app {
+
+void add_convert_options(CLI::App& command, ConvertRequest& request) {
+  add_choice<std::optional<ExchangeFormat>>(
+      command, "--to", request.format,
+      {{"h5", ExchangeFormat::statismo},
+       {"h5.json", ExchangeFormat::scalismo_json},
+       {"swproj", ExchangeFormat::shapeworks},
+       {"tps", ExchangeFormat::tps},
+       {"csv", ExchangeFormat::landmark_table},
+       {"scores", ExchangeFormat::score_table},
+       {"ply", ExchangeFormat::ply},
+       {"vtp", ExchangeFormat::vtp},
+       {"landmarks", ExchangeFormat::scalismo_landmarks}},
+      "what to write, where the extension does not say it: scores (.csv); "
+      "ply, vtp, landmarks (of Scalismo): folders");
+  add_choice<LengthUnit>(command, "--units", request.unit,
+                         {{"mm", LengthUnit::millimetre},
+                          {"cm", LengthUnit::centimetre},
+                          {"m", LengthUnit::metre},
+                          {"um", LengthUnit::micrometre}},
+                         "of the input's shapes");
+  command.add_option("--triangles", request.triangles,
+                     "a mesh whose vertices the points are, for inputs without triangles");
+  add_choice<ScaleMode>(command, "--scale", request.scale,
+                        {{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
+                        "keep or remove the shapes' size, where a model is made of shapes");
+}
+
+std::string recorded_command(const ConvertRequest& request) {
+  std::string command = "foramen convert " + request.input.lexically_normal().filename().string();
+  if (request.scale == ScaleMode::remove) command += " --scale remove";
+  return command;
+}
+
+nlohmann::ordered_json convert_json(const ConvertRequest& request, const ConvertSummary& summary) {
+  return {{"output", request.output.string()},
+          {"files", summary.files},
+          {"shapes", summary.shapes},
+          {"landmarks", summary.landmarks},
+          {"notes", summary.notes}};
+}
+
+}  // namespace foramen::app

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// The options of a conversion and what is said of it.
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "command.hpp"
+#include "foramen/pipeline/convert.hpp"
+
+namespace foramen::app {
+
+/// Adds --to, --units, --triangles, --scale.
+void add_convert_options(CLI::App& command, ConvertRequest& request);
+
+/// The command as models record it.
+std::string recorded_command(const ConvertRequest& request);
+
+/// output, files, shapes, landmarks, notes.
+nlohmann::ordered_json convert_json(const ConvertRequest& request, const ConvertSummary& summary);
+
+}  // namespace foramen::app

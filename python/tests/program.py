@@ -1,0 +1,20 @@
+"""The program beside which the package is held, and what it writes."""
+
+import os
+import subprocess
+
+import numpy as np
+
+
+def run_program(*arguments):
+    """The finished process; its exit code and what it printed are looked at by the test."""
+    return subprocess.run([os.environ["FORAMEN_PROGRAM"], *map(os.fspath, arguments)], capture_output=True, text=True)
+
+
+def ply_properties(path):
+    """The float properties of a PLY file's vertices, by name."""
+    header, _, body = path.read_bytes().partition(b"end_header\n")
+    lines = header.decode().splitlines()
+    count = next(int(line.split()[2]) for line in lines if line.startswith("element vertex"))
+    names = [line.split()[2] for line in lines if line.startswith("property float")]
+    return dict(zip(names, np.frombuffer(body, "<f4", count * len(names)).reshape(count, -1).T))
