@@ -28,6 +28,7 @@ DrawnShape measure(const TriangleTree& of_mean, const Eigen::VectorXd& landmarks
   TriangleTree surface = of_mean;
   surface.refit(mean.with_positions(unflattened(landmarks)));
   return {.self_intersections = static_cast<int>(self_intersections(surface).size()),
+          .folded = folded_over(surface.mesh(), mean),
           .opposing_mean = opposing_mean(surface.mesh(), mean)};
 }
 
@@ -54,7 +55,8 @@ DrawnShapes drawn_shapes(const ShapeModel& model, const DrawnShapesOptions& opti
     progress.finished_one();
   });
   result.self_intersecting = share(result.draws, &DrawnShape::self_intersections);
-  result.flipped = share(result.draws, &DrawnShape::opposing_mean);
+  result.folded = share(result.draws, &DrawnShape::folded);
+  result.opposing_mean = share(result.draws, &DrawnShape::opposing_mean);
   return result;
 }
 

@@ -91,7 +91,7 @@ ReportTable specificity_in_context(const std::vector<NamedEvaluation>& models) {
   return figures(
       "Specificity beside what it may have cost",
       "specificity, mm; total variance, mm^2 a landmark; representation error, mm; drawn shapes that "
-      "intersect themselves or have a flipped triangle",
+      "intersect themselves, have a triangle folded over or one opposing the mean's",
       models,
       {{"modes",
         [](const Evaluation& e) {
@@ -104,7 +104,8 @@ ReportTable specificity_in_context(const std::vector<NamedEvaluation>& models) {
        {"repr.mean", [](const Evaluation& e) { return fixed(e.representation.mean_surface, 3); }},
        {"repr.Hd.", [](const Evaluation& e) { return fixed(e.representation.hausdorff, 2); }},
        {"self-int.", [](const Evaluation& e) { return percent(e.drawn.self_intersecting); }},
-       {"flipped", [](const Evaluation& e) { return percent(e.drawn.flipped); }}});
+       {"folded", [](const Evaluation& e) { return percent(e.drawn.folded); }},
+       {"opp.mean", [](const Evaluation& e) { return percent(e.drawn.opposing_mean); }}});
 }
 
 ordered_json as_json(const std::vector<NamedEvaluation>& models, const std::vector<ReportTable>& tables) {

@@ -202,15 +202,20 @@ Representation representation_from(const ordered_json& j) {
 ordered_json drawn_json(const DrawnShapes& d) {
   return {{"definition",
            "random shapes over all modes, every score drawn anew until it is within the largest: the share "
-           "with a self-intersection, and the share with a triangle opposing the same triangle of the mean"},
+           "with a self-intersection, the share with a triangle folded over against its surroundings, and "
+           "the share with a triangle opposing the same triangle of the mean"},
           {"unit", "share of the random shapes"},
           {"largest_score_sd", largest_drawn_sd},
           {"self_intersecting", to_json(d.self_intersecting)},
-          {"flipped", to_json(d.flipped)}};
+          {"folded", to_json(d.folded)},
+          {"opposing_mean", to_json(d.opposing_mean)}};
 }
 
 DrawnShapes drawn_from(const ordered_json& j) {
-  return {{}, estimate_from(j.at("self_intersecting")), estimate_from(j.at("flipped"))};
+  return {{},
+          estimate_from(j.at("self_intersecting")),
+          estimate_from(j.at("folded")),
+          estimate_from(j.at("opposing_mean"))};
 }
 
 ordered_json truth_json(const TruthError& t) {
@@ -304,6 +309,7 @@ std::vector<Row> metric_rows(const Evaluation& e) {
     const DrawnShape& d = e.drawn.draws[i];
     const std::string item = std::to_string(i + 1);
     rows.add(item, "draw", all_modes, "drawn_self_intersections", d.self_intersections, "pairs of triangles");
+    rows.add(item, "draw", all_modes, "drawn_folded", d.folded, "triangles");
     rows.add(item, "draw", all_modes, "drawn_opposing_mean", d.opposing_mean, "triangles");
   }
   return rows.rows();

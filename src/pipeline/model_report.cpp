@@ -109,8 +109,8 @@ std::string percent(const Estimate& share) {
 
 std::string drawn_shapes_line(const DrawnShapes& drawn) {
   return "drawn shapes, all scores within " + fixed(largest_drawn_sd, 0) +
-         " sd: " + percent(drawn.self_intersecting) + " intersect themselves, " + percent(drawn.flipped) +
-         " have a flipped triangle";
+         " sd: " + percent(drawn.self_intersecting) + " intersect themselves, " + percent(drawn.folded) +
+         " have a triangle folded over, " + percent(drawn.opposing_mean) + " one turned against the mean's";
 }
 
 std::vector<Chart> model_charts(const std::vector<NamedEvaluation>& evaluations) {

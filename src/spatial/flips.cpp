@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <Eigen/SVD>
 
@@ -44,6 +45,27 @@ Mat3 rotation_onto(const Mesh& moving, const Mesh& fixed) {
   return Eigen::umeyama(columns(moving), columns(fixed), false).topLeftCorner<3, 3>();
 }
 
+void require_same_triangles(const Mesh& corresponding, const Mesh& mean, const std::string& who) {
+  if (corresponding.triangles() != mean.triangles())
+    throw InvalidInput(who + ": the two meshes have different triangles; both must come from one model");
+}
+
+/// Of every face, whether it opposes the others around its corners.
+std::vector<char> opposing_surroundings(const Mesh& mesh) {
+  VertexMap<Vec3> around(mesh.vertex_count(), Vec3::Zero());
+  for (FaceId f : mesh.faces())
+    for (VertexId v : mesh.corners(f)) around[v] += area_vector(mesh.triangle(f));
+  std::vector<char> opposing;
+  opposing.reserve(static_cast<std::size_t>(mesh.face_count()));
+  for (FaceId f : mesh.faces()) {
+    const Vec3 own = area_vector(mesh.triangle(f));
+    Vec3 others = -3 * own;
+    for (VertexId v : mesh.corners(f)) others += around[v];
+    opposing.push_back(own.dot(others) < 0);
+  }
+  return opposing;
+}
+
 }  // namespace
 
 SampledFlips sampled_flips(const Mesh& corresponding, const TriangleTree& input,
@@ -74,13 +96,20 @@ double single_precision_height(const Mesh& mesh) {
 }
 
 int opposing_mean(const Mesh& corresponding, const Mesh& mean) {
-  if (corresponding.triangles() != mean.triangles())
-    throw InvalidInput(
-        "opposing_mean: the two meshes have different triangles; both must come from one model");
+  require_same_triangles(corresponding, mean, "opposing_mean");
   const Mat3 rotation = rotation_onto(corresponding, mean);
   int count = 0;
   for (FaceId f : mean.faces())
     if ((rotation * area_vector(corresponding.triangle(f))).dot(area_vector(mean.triangle(f))) < 0) ++count;
+  return count;
+}
+
+int folded_over(const Mesh& corresponding, const Mesh& mean) {
+  require_same_triangles(corresponding, mean, "folded_over");
+  const std::vector<char> now = opposing_surroundings(corresponding), before = opposing_surroundings(mean);
+  int count = 0;
+  for (std::size_t f = 0; f < now.size(); ++f)
+    if (now[f] && !before[f]) ++count;
   return count;
 }
 

@@ -34,12 +34,14 @@ TEST(DrawnShapes, SharesAreThoseOfTheTruncatedNormalDistribution) {
   const DrawnShapes drawn = drawn_shapes(square_with_moving_centre(), {.draws = 20000}, RunContext(2));
   const double deviation = std::sqrt(beyond_one * (1 - beyond_one) / 20000);
   // Without truncation the share would be P(|z| > 1), 10 deviations more.
-  EXPECT_NEAR(drawn.flipped.mean, beyond_one, 4 * deviation);
-  EXPECT_NEAR(drawn.flipped.standard_error, deviation, 0.02 * deviation);
-  EXPECT_EQ(drawn.self_intersecting.mean, drawn.flipped.mean);
+  EXPECT_NEAR(drawn.folded.mean, beyond_one, 4 * deviation);
+  EXPECT_NEAR(drawn.folded.standard_error, deviation, 0.02 * deviation);
+  EXPECT_EQ(drawn.opposing_mean.mean, drawn.folded.mean);
+  EXPECT_EQ(drawn.self_intersecting.mean, drawn.folded.mean);
   for (const DrawnShape& d : drawn.draws) {
     EXPECT_EQ(d.self_intersections > 0, d.opposing_mean > 0);
-    EXPECT_LE(d.opposing_mean, 1);
+    EXPECT_EQ(d.folded, d.opposing_mean);
+    EXPECT_LE(d.folded, 1);
   }
 }
 
@@ -50,7 +52,8 @@ TEST(DrawnShapes, AModelWithoutVariationDrawsItsMean) {
   const DrawnShapes drawn = drawn_shapes(model, few, RunContext(1));
   EXPECT_EQ(drawn.draws.size(), 40u);
   EXPECT_EQ(drawn.self_intersecting.mean, 0);
-  EXPECT_EQ(drawn.flipped.mean, 0);
+  EXPECT_EQ(drawn.folded.mean, 0);
+  EXPECT_EQ(drawn.opposing_mean.mean, 0);
 }
 
 TEST(DrawnShapes, CountsTheSelfIntersectionsOfEveryDraw) {
@@ -83,7 +86,7 @@ TEST(DrawnShapes, ThreadsChangeNothing) {
   const auto counts = [&](int threads) {
     std::vector<int> found;
     for (const DrawnShape& d : drawn_shapes(aligned.model, few, RunContext(threads)).draws)
-      found.insert(found.end(), {d.self_intersections, d.opposing_mean});
+      found.insert(found.end(), {d.self_intersections, d.folded, d.opposing_mean});
     return found;
   };
   EXPECT_EQ(counts(1), counts(4));

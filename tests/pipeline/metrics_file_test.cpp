@@ -58,9 +58,10 @@ TEST(MetricsFile, ReadsBackWhatItWrote) {
   }
   expect_same(read.representation.self_intersections, written.representation.self_intersections);
   expect_same(read.representation.input_self_intersections, written.representation.input_self_intersections);
-  ASSERT_GT(written.drawn.flipped.mean, 0);
+  ASSERT_GT(written.drawn.opposing_mean.mean, 0);
   expect_same(read.drawn.self_intersecting, written.drawn.self_intersecting);
-  expect_same(read.drawn.flipped, written.drawn.flipped);
+  expect_same(read.drawn.folded, written.drawn.folded);
+  expect_same(read.drawn.opposing_mean, written.drawn.opposing_mean);
   EXPECT_TRUE(read.leave_one_out.by_modes[0].items.empty());
 }
 

@@ -151,6 +151,42 @@ TEST(OpposingMean, RefusesOtherTriangles) {
                InvalidInput);
 }
 
+// A strip of a plane and the same strip rolled up: nowhere folded, but half of it turned.
+TEST(FoldedOver, APartThatTurnsAsAWholeIsNotFolded) {
+  constexpr int length = 60, width = 4;
+  constexpr double radius = length / 4.8;  // all but 300 degrees
+  TriangleSoup flat, rolled;
+  for (int i = 0; i <= length; ++i)
+    for (int j = 0; j <= width; ++j) {
+      flat.points.emplace_back(i, j, 0);
+      rolled.points.emplace_back(radius * std::sin(i / radius), j, radius * (1 - std::cos(i / radius)));
+    }
+  const auto at = [](int i, int j) { return i * (width + 1) + j; };
+  for (int i = 0; i < length; ++i)
+    for (int j = 0; j < width; ++j) {
+      flat.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      flat.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  const Mesh mean = build_mesh(flat), shape = mean.with_positions(rolled.points);
+  EXPECT_GT(opposing_mean(shape, mean), 100);
+  EXPECT_EQ(folded_over(shape, mean), 0);
+
+  // One inner vertex drawn across the far edge of a triangle turns over that one, whatever the surface does.
+  for (std::vector<Vec3> points : {flat.points, rolled.points}) {
+    const auto corner = [&](int i, int j) { return points[static_cast<std::size_t>(at(i, j))]; };
+    const Vec3 middle = 0.5 * (corner(20, 2) + corner(21, 3));
+    points[static_cast<std::size_t>(at(21, 2))] += 1.3 * (middle - corner(21, 2));
+    EXPECT_EQ(folded_over(mean.with_positions(points), mean), 1);
+  }
+}
+
+TEST(FoldedOver, CountsNothingThatIsFoldedInTheMeanToo) {
+  const Mesh mean = build_mesh(testing::torus_soup(80, 40)), folded = folded_torus(mean);
+  EXPECT_GT(folded_over(folded, mean), 0);
+  EXPECT_EQ(folded_over(folded, folded), 0);
+  EXPECT_THROW(folded_over(mean, build_mesh(testing::torus_soup(40, 80))), InvalidInput);
+}
+
 // Triangles laid flat on one of their sides have no normal; rounded to single precision they get one at
 // random.
 TEST(SampledFlips, RoundingToSinglePrecisionTurnsNothingOver) {

@@ -21,13 +21,15 @@ struct DrawnShapesOptions {
 
 struct DrawnShape {
   int self_intersections = 0;  ///< pairs of triangles, as self_intersections()
+  int folded = 0;              ///< triangles, as folded_over()
   int opposing_mean = 0;       ///< triangles, as opposing_mean()
 };
 
 struct DrawnShapes {
   std::vector<DrawnShape> draws;
   Estimate self_intersecting;  ///< over draws: the share with a self-intersection, 0 .. 1
-  Estimate flipped;            ///< over draws: the share with a triangle opposing the mean's, 0 .. 1
+  Estimate folded;             ///< over draws: the share with a triangle folded over, 0 .. 1
+  Estimate opposing_mean;      ///< over draws: the share with a triangle opposing the mean's, 0 .. 1
 };
 
 /// Of \f$ \bar x + \sum_m b_m \phi_m \f$ over all modes, b_m ~ N(0, variance_m) given |b_m| <=

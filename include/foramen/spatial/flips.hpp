@@ -35,4 +35,10 @@ double single_precision_height(const Mesh& mesh);
 /// Throws InvalidInput if the two differ in their triangles.
 int opposing_mean(const Mesh& corresponding, const Mesh& mean);
 
+/// Triangles of `corresponding` that are folded over: their normal opposes the sum, over their corners, of
+/// the area vectors of the other triangles around the corner, where in `mean` it does not. Unlike
+/// opposing_mean() it does not count a part of the surface that has turned as a whole, such as the wall of an
+/// outgrowth. Throws InvalidInput if the two differ in their triangles.
+int folded_over(const Mesh& corresponding, const Mesh& mean);
+
 }  // namespace foramen
