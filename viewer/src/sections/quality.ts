@@ -130,7 +130,7 @@ function plotOf(chart: Chart, width: number) {
           x: 'x',
           y: 'y',
           title: (p: Point) =>
-            `${p.name}\n${p.x} modes: ${p.y.toFixed(3)}${p.error > 0 ? ` ± ${p.error.toFixed(3)}` : ''}`,
+            `${p.name}\n${p.x} ${p.x === 1 ? 'mode' : 'modes'}: ${p.y.toFixed(3)}${p.error > 0 ? ` ± ${p.error.toFixed(3)}` : ''}`,
         }),
       ),
     ],

@@ -10,7 +10,7 @@ export function summary(data: ReportData): HTMLElement {
   );
   const leftOut =
     data.left_out.rows.length === 0
-      ? [paragraph('Nothing was left out: every input is in the model.')]
+      ? [element('h3', {}, 'Left out'), paragraph('Nothing was left out: every input is in the model.')]
       : [tableElement(data.left_out)];
   const repaired = data.repaired.rows.length === 0 ? [] : [tableElement(data.repaired)];
   const failures = data.refit_failures.rows.length === 0 ? [] : [tableElement(data.refit_failures)];
@@ -18,7 +18,6 @@ export function summary(data: ReportData): HTMLElement {
     'summary',
     'In plain words',
     element('div', { class: 'statements' }, ...statements),
-    element('h3', {}, 'Left out'),
     ...leftOut,
     ...repaired,
     ...failures,

@@ -3,13 +3,23 @@ import { element } from './element';
 
 // Cells longer than this are prose, not figures.
 const proseLength = 40;
+const figure = /^([-−+]?[\d.].*|-|)$/;
+const isProse = (text: string) => text.length > proseLength;
+
+/** What a column holds, which decides how it is set. */
+function columnClass(table: Table, column: number): string {
+  const cells = table.rows.map((row) => row[column] ?? '');
+  if (cells.some(isProse)) return 'prose';
+  return cells.some((text) => !figure.test(text)) ? 'words' : '';
+}
 
 /** A table of the report. `first` may make the first cell of a row something else than text. */
 export function tableElement(table: Table, first?: (text: string, row: number) => Node | string): HTMLElement {
+  const classes = table.header.map((_, column) => columnClass(table, column));
   const head = element(
     'thead',
     {},
-    element('tr', {}, ...table.header.map((text) => element('th', { scope: 'col' }, text))),
+    element('tr', {}, ...table.header.map((text, c) => element('th', { scope: 'col', class: classes[c] }, text))),
   );
   const body = element(
     'tbody',
@@ -20,9 +30,7 @@ export function tableElement(table: Table, first?: (text: string, row: number) =
         {},
         ...row.map((text, c) => {
           const content = c === 0 && first ? first(text, r) : text;
-          return c === 0
-            ? element('th', { scope: 'row' }, content)
-            : element('td', { class: text.length > proseLength ? 'prose' : '' }, content);
+          return c === 0 ? element('th', { scope: 'row' }, content) : element('td', { class: classes[c] }, content);
         }),
       ),
     ),
