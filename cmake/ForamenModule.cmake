@@ -81,14 +81,14 @@ endfunction()
 # foramen_discover_tests(PROGRAM PREFIX prefix LABEL label [ONLY pattern] [WITHOUT pattern] [WHOLE suite...])
 #
 # A ctest for each of the program's tests; one for all of a WHOLE suite, whose set-up would otherwise be made for every test.
-# Whole suites start first, so that none is still running when all others are done.
+# Those carry the label suite and start first, so that none is still running when all others are done.
 function(foramen_discover_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;LABEL;ONLY;WITHOUT" "WHOLE")
   set(without ${arg_WITHOUT})
   foreach(suite IN LISTS arg_WHOLE)
     list(APPEND without ${suite}.* ${suite}/*)
     add_test(NAME ${arg_PREFIX}.${suite} COMMAND ${program} "--gtest_filter=${suite}.*:${suite}/*-${arg_WITHOUT}")
-    set_tests_properties(${arg_PREFIX}.${suite} PROPERTIES TIMEOUT 900 LABELS ${arg_LABEL} COST 100
+    set_tests_properties(${arg_PREFIX}.${suite} PROPERTIES TIMEOUT 900 LABELS suite COST 100
                          FAIL_REGULAR_EXPRESSION "Running 0 tests")
   endforeach()
   list(JOIN without ":" without)
