@@ -28,14 +28,17 @@ std::string flips_line(const ordered_json& run, const Evaluation& evaluation) {
          " in the sampled meshes";
 }
 
-std::string self_intersections_line(const Evaluation& evaluation) {
+std::string self_intersections_line(const ordered_json& run, const Evaluation& evaluation) {
   int sampled = 0, input = 0;
   for (const ShapeRepresentation& r : evaluation.representation.shapes) {
     sampled += r.self_intersections;
     input += r.input_self_intersections;
   }
-  return "self-intersecting pairs of triangles: " + std::to_string(sampled) + " in the sampled meshes, " +
-         std::to_string(input) + " in the inputs";
+  std::string line =
+      "self-intersecting pairs of triangles: " + std::to_string(sampled) + " in the sampled meshes, ";
+  if (const int before = run.value("self_intersections_before_mending", 0); before > 0)
+    line += std::to_string(before) + " before they were mended, ";
+  return line + std::to_string(input) + " in the inputs";
 }
 
 std::string representation_line(const Evaluation& evaluation) {
@@ -69,7 +72,7 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
                   run.at("landmarks_inserted").dump() + " inserted by refinement), " +
                   std::to_string(evaluation.compactness.size()) + " modes");
   lines.push_back(flips_line(run, evaluation));
-  lines.push_back(self_intersections_line(evaluation));
+  lines.push_back(self_intersections_line(run, evaluation));
   lines.push_back(representation_line(evaluation));
   if (const auto* g = at_quoted_modes(evaluation.leave_one_out.by_modes))
     lines.push_back("generalization at " + std::to_string(g->modes) + " modes (leave one out): Hausdorff " +

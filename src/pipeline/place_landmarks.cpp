@@ -147,6 +147,8 @@ void place_landmarks(ModelBuild& build, const BuildOptions& options, const RunCo
   build.landmarks = std::move(refined.landmarks);
   build.inserted_landmarks = refined.inserted;
   build.remaining_flips = refined.remaining;
+  build.initial_self_intersections = refined.initial_self_intersections;
+  build.remaining_self_intersections = refined.remaining_self_intersections;
   auto lifted_landmarks = lifted_to_all(shapes, build.landmarks.turns, ctx);
   for (std::size_t i = 0; i < build.shapes.size(); ++i)
     build.shapes[i].landmarks = std::move(lifted_landmarks[i]);

@@ -122,6 +122,10 @@ std::vector<std::string> notes_on(const ModelBuild& build, const Evaluation& eva
                     " landmark triangles are flipped or degenerate on some shape and could not be mended "
                     "within the budget of landmarks: "
                     "give more with --landmarks");
+  if (build.remaining_self_intersections > 0)
+    notes.push_back(std::to_string(build.remaining_self_intersections) +
+                    " pairs of landmark triangles meet on some shape whose surface does not meet itself, and "
+                    "could not be parted within the budget of landmarks: give more with --landmarks");
   add_refit_notes(notes, evaluation.refit);
   add_refit_notes(notes, evaluation.refit_by_subject);
   return notes;

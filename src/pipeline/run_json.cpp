@@ -243,6 +243,8 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
           {"description_lengths", build.description_lengths},
           {"landmarks", build.landmarks.turns.size()},
           {"landmarks_inserted", build.inserted_landmarks},
+          {"self_intersections_before_mending", build.initial_self_intersections},
+          {"self_intersections_not_mended", build.remaining_self_intersections},
           {"landmark_triangles", build.landmarks.triangles.size()},
           {"shapes", shapes},
           {"seconds", figures.seconds},

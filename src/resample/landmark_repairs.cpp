@@ -24,7 +24,7 @@ struct Candidate {
 };
 
 struct Value {
-  int guilty = 0;
+  int guilt = 0;
   double roundness = 0;
 };
 
@@ -77,7 +77,7 @@ class Search {
     return c;
   }
 
-  int guilty_before(const Candidate& c) const {
+  int guilt_before(const Candidate& c) const {
     int count = 0;
     for (const auto& of_shape : guilt_)
       for (int f : c.old_faces) count += of_shape[f];
@@ -95,7 +95,7 @@ class Search {
     return worst;
   }
 
-  /// Counts guilty triangles up to `limit`; the shapes where something is wrong now come first.
+  /// Adds up the guilt until it reaches `limit`; the shapes where something is wrong now come first.
   Value evaluate(const Candidate& c, int limit) const {
     Value value;
     std::vector<double> roundness(c.triangles.size(), 0.0);
@@ -104,7 +104,9 @@ class Search {
       for (std::size_t k = 0; k < c.triangles.size(); ++k) {
         const auto triangle = points(s, c.triangles[k], lifted);
         roundness[k] += smallest_angle(triangle) / lifted_.shapes();
-        if (lifted_.guilty(s, triangle) && ++value.guilty >= limit) return value;
+        value.guilt += lifted_.guilty(s, triangle) ? flipped_guilt : 0;
+        value.guilt += meetings(s, c, k, lifted);
+        if (value.guilt >= limit) return value;
       }
     }
     value.roundness = *std::min_element(roundness.begin(), roundness.end());
@@ -119,6 +121,25 @@ class Search {
     for (std::size_t k = 0; k < 3; ++k)
       out[k] = corners[k] == new_place ? lifted : lifted_.point(shape, corners[k]);
     return out;
+  }
+
+  NumberedTriangle numbered(int shape, const std::array<int, 3>& corners, const Vec3& lifted) const {
+    return {{VertexId(corners[0]), VertexId(corners[1]), VertexId(corners[2])},
+            points(shape, corners, lifted)};
+  }
+
+  /// How many triangles the k-th of a candidate would meet.
+  int meetings(int shape, const Candidate& c, std::size_t k, const Vec3& lifted) const {
+    if (!lifted_.surface(shape)) return 0;
+    const NumberedTriangle triangle = numbered(shape, c.triangles[k], lifted);
+    const auto stays = [&](FaceId f) {
+      return std::find(c.old_faces.begin(), c.old_faces.end(), f.index) == c.old_faces.end();
+    };
+    const auto met = lifted_.faces_met(shape, triangle);
+    auto count = std::count_if(met.begin(), met.end(), stays);
+    for (std::size_t j = 0; j < c.triangles.size(); ++j)
+      count += j != k && meet(triangle, numbered(shape, c.triangles[j], lifted));
+    return static_cast<int>(count);
   }
 
   std::vector<int> shapes_by_guilt(const std::vector<int>& faces) const {
@@ -137,7 +158,7 @@ class Search {
 
 void take(Repair& best, const Candidate& c, const Value& value) {
   best = c.repair;
-  best.guilty_after = value.guilty;
+  best.guilt_after = value.guilt;
   best.roundness = value.roundness;
 }
 
@@ -147,9 +168,9 @@ Repair best_free_repair(const Search& search, const TorusTriangulation& mesh, in
   int best_gain = 0;
   const auto consider = [&](const Candidate& c) {
     if (c.triangles.empty()) return;
-    const int before = search.guilty_before(c);
+    const int before = search.guilt_before(c);
     const Value after = search.evaluate(c, before);
-    const int gain = before - after.guilty;
+    const int gain = before - after.guilt;
     if (gain <= 0 || gain < best_gain) return;
     if (after.roundness < round_enough && after.roundness < search.roundness_before(c)) return;
     if (gain == best_gain && after.roundness <= best.roundness) return;
@@ -158,7 +179,7 @@ Repair best_free_repair(const Search& search, const TorusTriangulation& mesh, in
   };
   for (int k = 0; k < 3; ++k)
     if (mesh.can_flip(3 * face + k)) consider(search.flip(3 * face + k));
-  if (best.kind != RepairKind::none && best.guilty_after == 0) return best;
+  if (best.kind != RepairKind::none && best.guilt_after == 0) return best;
   for (int v : mesh.corners(face)) {
     Fixed2 sum;
     int count = 0;
@@ -179,9 +200,9 @@ Repair best_insertion(const Search& search, int face, bool must_help) {
   Repair best;
   int best_gain = must_help ? 0 : -no_limit;
   const auto consider = [&](const Candidate& c) {
-    const int before = search.guilty_before(c);
+    const int before = search.guilt_before(c);
     const Value after = search.evaluate(c, must_help ? before + 1 : no_limit);
-    const int gain = before - after.guilty;
+    const int gain = before - after.guilt;
     if (gain < best_gain || (gain == best_gain && after.roundness <= best.roundness)) return;
     take(best, c, after);
     best_gain = gain;

@@ -8,8 +8,11 @@
 
 namespace foramen::detail {
 
-/// Which triangles are guilty on which shapes.
-using GuiltTable = std::vector<std::vector<char>>;  // [shape][face]
+/// How guilty every triangle is on every shape: flipped_guilt if it is flipped or degenerate, and 1 for each
+/// triangle it meets.
+using GuiltTable = std::vector<std::vector<int>>;  // [shape][face]
+/// More than the triangles any triangle meets.
+inline constexpr int flipped_guilt = 1000;
 
 enum class RepairKind { none, flip, move, split_edge, split_face };
 
@@ -18,7 +21,7 @@ struct Repair {
   int element = -1;          ///< halfedge (flip, split_edge), vertex (move) or face (split_face)
   Fixed2 place;              ///< of the moved vertex
   std::vector<int> support;  ///< vertices that must not have changed since
-  int guilty_after = 0;      ///< over the changed triangles and all shapes
+  int guilt_after = 0;       ///< over the changed triangles and all shapes
   double roundness =
       0;  ///< smallest over the changed triangles of the mean over shapes of its smallest angle
 };

@@ -22,7 +22,10 @@ bool is_degenerate(const std::array<Vec3, 3>& t) {
 
 LiftedLandmarks::LiftedLandmarks(std::span<const LandmarkShape> shapes, const TorusTriangulation& mesh,
                                  const RunContext& ctx)
-    : shapes_(shapes.begin(), shapes.end()), points_(shapes.size()), margin_(shapes.size(), 0.0) {
+    : shapes_(shapes.begin(), shapes.end()),
+      points_(shapes.size()),
+      margin_(shapes.size(), 0.0),
+      surfaces_(shapes.size()) {
   for (const LandmarkShape& s : shapes_) FORAMEN_ASSERT(s.locator && s.tree);
   parallel_for(this->shapes(), ctx, [&](int s) {
     points_[s].reserve(static_cast<std::size_t>(mesh.vertex_slots()));
@@ -66,10 +69,30 @@ void LiftedLandmarks::measure_edges(const TorusTriangulation& mesh) {
   }
 }
 
+void LiftedLandmarks::refresh_surface(int shape, const TorusTriangulation& mesh) {
+  surfaces_[shape].emplace(corresponding(shape, mesh), TreeNormals::none);
+}
+
+std::vector<FaceId> LiftedLandmarks::faces_met(int shape, const NumberedTriangle& triangle) const {
+  if (!surfaces_[shape]) return {};
+  const TriangleTree& tree = *surfaces_[shape];
+  const auto& p = triangle.points;
+  const Vec3 centroid = (p[0] + p[1] + p[2]) / 3;
+  const double radius =
+      std::max({(p[0] - centroid).norm(), (p[1] - centroid).norm(), (p[2] - centroid).norm()});
+  std::vector<FaceId> met = tree.faces_within(centroid, radius);
+  std::erase_if(met, [&](FaceId f) { return !meet(triangle, numbered_triangle(tree.mesh(), f)); });
+  return met;
+}
+
 Mesh LiftedLandmarks::corresponding(int shape, const TorusTriangulation& mesh) const {
   TriangleSoup soup{points_[shape], {}};
   for (int f = 0; f < mesh.face_slots(); ++f) soup.triangles.push_back(mesh.corners(f));
   return build_mesh(std::move(soup));
+}
+
+bool meet(const NumberedTriangle& a, const NumberedTriangle& b) {
+  return has_area(a.points) && has_area(b.points) && triangles_meet(a, b);
 }
 
 double smallest_angle(const std::array<Vec3, 3>& t) {

@@ -2,10 +2,12 @@
 /// \file
 /// Landmarks lifted to every shape, and which of their triangles are wrong there.
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "foramen/resample/refine_landmarks.hpp"
+#include "foramen/spatial/triangles_meet.hpp"
 #include "resample/torus_triangulation.hpp"
 
 namespace foramen::detail {
@@ -24,14 +26,25 @@ class LiftedLandmarks {
   bool guilty(int shape, const std::array<Vec3, 3>& triangle) const;
   /// The distance beyond the closest point within which a flip must be confirmed: 0.25 mean landmark edge.
   void measure_edges(const TorusTriangulation& mesh);
+  /// Keeps the corresponding mesh of a shape as it is now, for faces_met().
+  void refresh_surface(int shape, const TorusTriangulation& mesh);
+  void forget_surface(int shape) { surfaces_[shape].reset(); }
+  /// The mesh that is kept, if any.
+  const TriangleTree* surface(int shape) const { return surfaces_[shape] ? &*surfaces_[shape] : nullptr; }
+  /// The faces of surface() that a triangle meets; none if there is no surface().
+  std::vector<FaceId> faces_met(int shape, const NumberedTriangle& triangle) const;
   /// The corresponding mesh of a shape. \pre no vertex or face of `mesh` was removed.
   Mesh corresponding(int shape, const TorusTriangulation& mesh) const;
 
  private:
   std::vector<LandmarkShape> shapes_;
-  std::vector<std::vector<Vec3>> points_;  // of each shape, per landmark
-  std::vector<double> margin_;             // of each shape, mm
+  std::vector<std::vector<Vec3>> points_;              // of each shape, per landmark
+  std::vector<double> margin_;                         // of each shape, mm
+  std::vector<std::optional<TriangleTree>> surfaces_;  // of each shape, as refreshed
 };
+
+/// Whether both triangles have area and meet.
+bool meet(const NumberedTriangle& a, const NumberedTriangle& b);
 
 /// Smallest angle of a triangle, radians.
 double smallest_angle(const std::array<Vec3, 3>& triangle);

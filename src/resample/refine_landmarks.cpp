@@ -5,40 +5,64 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/spatial/flips.hpp"
+#include "foramen/spatial/self_intersections.hpp"
 #include "resample/landmark_repairs.hpp"
 
 namespace foramen {
 namespace {
 
+using detail::flipped_guilt;
 using detail::GuiltTable;
 using detail::Repair;
 using detail::RepairKind;
 
+/// Over all shapes.
+struct Guilt {
+  int flipped = 0;   // triangles, flipped or degenerate
+  int meetings = 0;  // pairs of triangles
+  friend auto operator<=>(const Guilt&, const Guilt&) = default;
+};
+
+/// What is mended: flipped and degenerate triangles, or also triangles that meet.
+enum class Mending { flips, meetings };
+
+/// Whether triangles that meet count on a shape: if they should not, since its input does not meet itself.
+/// The input is looked at when it comes to that.
+enum class Watch { off, input_unknown, on };
+
 class Refinement {
  public:
-  Refinement(const LandmarkMesh& landmarks, std::span<const LandmarkShape> shapes, const RunContext& ctx)
+  Refinement(const LandmarkMesh& landmarks, std::span<const LandmarkShape> shapes, Mending mending,
+             const RunContext& ctx)
       : mesh_(landmarks.turns, landmarks.triangles, landmarks.jumps),
         shapes_(shapes),
+        watch_(shapes.size(), mending == Mending::meetings ? Watch::input_unknown : Watch::off),
         lifted_(shapes, mesh_, ctx),
         ctx_(ctx),
-        guilt_(shapes.size(), std::vector<char>(landmarks.triangles.size(), 0)) {}
+        guilt_(shapes.size(), std::vector<int>(landmarks.triangles.size(), 0)) {
+    inspect_all();
+  }
 
-  /// Every triangle of every shape, by the definition that is reported. Returns the number of guilty ones.
-  int inspect_all() {
+  /// Every triangle of every shape, by the definitions that are reported.
+  void inspect_all() {
     lifted_.measure_edges(mesh_);
     parallel_for(lifted_.shapes(), ctx_, [&](int s) {
       const SampledFlips found = sampled_flips(lifted_.corresponding(s, mesh_), *shapes_[s].tree);
-      std::fill(guilt_[s].begin(), guilt_[s].end(), char{0});
-      for (FaceId f : found.confirmed) guilt_[s][f.index] = 1;
-      for (FaceId f : found.degenerate) guilt_[s][f.index] = 1;
+      std::fill(guilt_[s].begin(), guilt_[s].end(), 0);
+      for (FaceId f : found.confirmed) guilt_[s][f.index] = flipped_guilt;
+      for (FaceId f : found.degenerate) guilt_[s][f.index] = flipped_guilt;
+      count_meetings(s);
     });
-    return guilty_count();
   }
 
-  int guilty_count() const {
-    std::ptrdiff_t count = 0;
-    for (const auto& of_shape : guilt_) count += std::count(of_shape.begin(), of_shape.end(), char{1});
-    return static_cast<int>(count);
+  Guilt guilt() const {
+    Guilt sum;
+    for (const auto& of_shape : guilt_)
+      for (int g : of_shape) {
+        sum.flipped += g / flipped_guilt;
+        sum.meetings += g % flipped_guilt;
+      }
+    return {sum.flipped, sum.meetings / 2};
   }
 
   std::vector<int> guilty_faces() const {
@@ -105,33 +129,50 @@ class Refinement {
       guilt_[s].resize(static_cast<std::size_t>(mesh_.face_slots()), 0);
       for (int f : faces) {
         const auto [a, b, c] = mesh_.corners(f);
-        guilt_[s][f] = lifted_.guilty(s, {lifted_.point(s, a), lifted_.point(s, b), lifted_.point(s, c)});
+        const bool guilty =
+            lifted_.guilty(s, {lifted_.point(s, a), lifted_.point(s, b), lifted_.point(s, c)});
+        guilt_[s][f] = guilty ? flipped_guilt : 0;
       }
+      count_meetings(s);
     });
+  }
+
+  void count_meetings(int s) {
+    if (watch_[s] == Watch::off) return;
+    for (int& g : guilt_[s]) g -= g % flipped_guilt;
+    lifted_.refresh_surface(s, mesh_);
+    const auto pairs = self_intersections(*lifted_.surface(s));
+    if (!pairs.empty() && watch_[s] == Watch::input_unknown)
+      watch_[s] = self_intersections(*shapes_[s].tree).empty() ? Watch::on : Watch::off;
+    if (watch_[s] == Watch::off) return lifted_.forget_surface(s);
+    for (const auto& [f, g] : pairs) {
+      ++guilt_[s][f.index];
+      ++guilt_[s][g.index];
+    }
   }
 
   detail::TorusTriangulation mesh_;
   std::span<const LandmarkShape> shapes_;
+  std::vector<Watch> watch_;
   detail::LiftedLandmarks lifted_;
   const RunContext& ctx_;
   GuiltTable guilt_;
 };
 
-}  // namespace
-
-RefinedLandmarks refine_landmarks(const LandmarkMesh& landmarks, std::span<const LandmarkShape> shapes,
-                                  const RunContext& ctx, const RefineLandmarksOptions& options) {
+/// Rounds of changes until nothing is guilty or nothing helps; keeps the best state.
+void mend(RefinedLandmarks& best, std::span<const LandmarkShape> shapes, Mending mending, int budget,
+          int round_limit, const RunContext& ctx) {
   using detail::Insertion;
-  if (!(options.budget >= 0)) throw InvalidInput("refine landmarks: the budget must not be negative");
-  const int budget = static_cast<int>(options.budget * static_cast<double>(landmarks.turns.size()));
-  Refinement state(landmarks, shapes, ctx);
-  RefinedLandmarks result;
-  result.landmarks = state.landmark_mesh();
-  result.initial = result.remaining = state.inspect_all();
-  RefinedLandmarks best = result;
+  Refinement state(best.landmarks, shapes, mending, ctx);
+  Guilt least = state.guilt();
+  if (mending == Mending::flips) best.initial = least.flipped;
+  best.initial_self_intersections = least.meetings;
+  best.landmarks = state.landmark_mesh();
+  if (mending == Mending::meetings && least.meetings == 0) return;  // flips that are left had their rounds
+  RefinedLandmarks result = best;
   bool must_help = true;
-  for (int round = 0; result.remaining > 0 && round < options.round_limit; ++round) {
-    ctx.step("refine landmarks", double(round) / options.round_limit);
+  for (int round = 0; least != Guilt{} && round < round_limit; ++round) {
+    ctx.step("refine landmarks", double(round) / round_limit);
     const int left = budget - result.inserted;
     const Insertion insertion = left == 0 ? Insertion::none : must_help ? Insertion::helpful : Insertion::any;
     if (state.repair(state.guilty_faces(), insertion, left, result) == 0) {
@@ -140,16 +181,31 @@ RefinedLandmarks refine_landmarks(const LandmarkMesh& landmarks, std::span<const
       continue;
     }
     must_help = true;
-    result.remaining = state.guilty_count();
     // The mean edge has changed a little since the last look at everything: the last word is
     // sampled_flips()'s.
-    if (result.remaining == 0) result.remaining = state.inspect_all();
-    if (result.remaining >= best.remaining) continue;
+    if (state.guilt() == Guilt{}) state.inspect_all();
+    const Guilt now = state.guilt();
+    if (now >= least) continue;
+    least = now;
     best = result;
     best.landmarks = state.landmark_mesh();
   }
-  if (best.remaining > 0) best.remaining = Refinement(best.landmarks, shapes, ctx).inspect_all();
-  return best;
+  if (least != Guilt{}) least = Refinement(best.landmarks, shapes, mending, ctx).guilt();
+  best.remaining = least.flipped;
+  best.remaining_self_intersections = least.meetings;
+}
+
+}  // namespace
+
+RefinedLandmarks refine_landmarks(const LandmarkMesh& landmarks, std::span<const LandmarkShape> shapes,
+                                  const RunContext& ctx, const RefineLandmarksOptions& options) {
+  if (!(options.budget >= 0)) throw InvalidInput("refine landmarks: the budget must not be negative");
+  const int budget = static_cast<int>(options.budget * static_cast<double>(landmarks.turns.size()));
+  RefinedLandmarks result;
+  result.landmarks = landmarks;
+  mend(result, shapes, Mending::flips, budget, options.round_limit, ctx);
+  mend(result, shapes, Mending::meetings, budget, options.round_limit, ctx);
+  return result;
 }
 
 }  // namespace foramen

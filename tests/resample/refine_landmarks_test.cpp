@@ -5,6 +5,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/parameterize/certificate.hpp"
 #include "foramen/spatial/flips.hpp"
+#include "foramen/spatial/self_intersections.hpp"
 #include "resample/mapped_tori.hpp"
 
 namespace foramen {
@@ -37,7 +38,26 @@ struct Cohort {
     }
     return static_cast<int>(count);
   }
+  int meetings(const LandmarkMesh& l) const {
+    std::size_t count = 0;
+    for (const TorusLocator& locator : locators)
+      count += self_intersections(TriangleTree(build_mesh({lift_to_surface(locator, l.turns), l.triangles})))
+                   .size();
+    return static_cast<int>(count);
+  }
 };
+
+/// A torus whose tube, 16 mm high, is pressed flat in one place: a bent wall of thickness 2 * half_wall_mm.
+MappedSurface walled_torus(double half_wall_mm, double middle_turns, double width_turns) {
+  return testing::mapped_surface("walled torus", testing::rectangular_lattice(20, 8), 20000,
+                                 [=](const Vec2& t) {
+                                   const double x = std::remainder(t.x() - middle_turns, 1.0) / width_turns;
+                                   const double across = 3 - (3 - half_wall_mm) * std::exp(-x * x / 2);
+                                   const Vec2 a = 2 * std::numbers::pi * t;
+                                   const double r = 20 + across * std::cos(a.y());
+                                   return Vec3(r * std::cos(a.x()), r * std::sin(a.x()), 8 * std::sin(a.y()));
+                                 });
+}
 
 MappedSurface spikes() { return testing::spiky_torus(20000, 6, 14, 0.02); }
 
@@ -103,6 +123,57 @@ TEST(RefineLandmarks, TheSameForAnyNumberOfThreads) {
   EXPECT_EQ(a.landmarks.turns, b.landmarks.turns);
   EXPECT_EQ(a.landmarks.triangles, b.landmarks.triangles);
   EXPECT_EQ(a.landmarks.jumps, b.landmarks.jumps);
+}
+
+TEST(RefineLandmarks, PartsTheSidesOfThinWalls) {
+  const Cohort cohort({walled_torus(0.01, 0.0, 0.15), walled_torus(0.01, 0.3, 0.15), testing::torus(6000)});
+  for (const TriangleTree& tree : cohort.trees) ASSERT_TRUE(self_intersections(tree).empty());
+  for (int count : {200, 800}) {
+    SCOPED_TRACE(count);
+    const LandmarkMesh l = landmarks_of(testing::torus(20000), count);
+    ASSERT_GT(cohort.meetings(l), 20) << "the example needs something to repair";
+    const RefinedLandmarks r = refine_landmarks(l, cohort.shapes(), RunContext(2));
+    EXPECT_EQ(r.initial_self_intersections, cohort.meetings(l));
+    EXPECT_EQ(r.remaining_self_intersections, 0);
+    EXPECT_EQ(cohort.meetings(r.landmarks), 0);
+    EXPECT_EQ(cohort.guilty(r.landmarks), 0);
+    EXPECT_LE(r.inserted, count / 20);
+    const Mesh mesh =
+        build_mesh({lift_to_surface(cohort.locators[0], r.landmarks.turns), r.landmarks.triangles});
+    const Lattice& lattice = cohort.surfaces[0].map.lattice;
+    EXPECT_TRUE(certify(mesh, {lattice, VertexMap<Vec2>(r.landmarks.turns), r.landmarks.jumps}).valid());
+
+    const RefinedLandmarks other = refine_landmarks(l, cohort.shapes(), RunContext(4));
+    EXPECT_EQ(r.landmarks.turns, other.landmarks.turns);
+    EXPECT_EQ(r.landmarks.triangles, other.landmarks.triangles);
+    EXPECT_EQ(r.landmarks.jumps, other.landmarks.jumps);
+  }
+}
+
+TEST(RefineLandmarks, PartsAWallWithNewLandmarksOnlyOrSaysThatItMeets) {
+  const Cohort cohort({walled_torus(0.005, 0.0, 0.1)});
+  const LandmarkMesh l = landmarks_of(testing::torus(20000), 400);
+  const RefinedLandmarks without = refine_landmarks(l, cohort.shapes(), RunContext(1), {.budget = 0});
+  EXPECT_EQ(without.inserted, 0);
+  EXPECT_GT(without.remaining_self_intersections, 0);
+  EXPECT_LT(without.remaining_self_intersections, without.initial_self_intersections);
+  EXPECT_EQ(without.remaining_self_intersections, cohort.meetings(without.landmarks));
+  const RefinedLandmarks with = refine_landmarks(l, cohort.shapes(), RunContext(1));
+  EXPECT_GT(with.inserted, 0);
+  EXPECT_EQ(cohort.meetings(with.landmarks), 0);
+}
+
+TEST(RefineLandmarks, LeavesShapesWhoseInputMeetsItselfAsTheyAre) {
+  // The wall's sides have changed places.
+  const Cohort cohort({walled_torus(-0.5, 0.0, 0.1)});
+  ASSERT_FALSE(self_intersections(cohort.trees[0]).empty());
+  const LandmarkMesh l = landmarks_of(testing::torus(20000), 400);
+  ASSERT_GT(cohort.meetings(l), 0);
+  const RefinedLandmarks r = refine_landmarks(l, cohort.shapes(), RunContext(1));
+  EXPECT_EQ(r.initial_self_intersections, 0);
+  EXPECT_EQ(r.remaining_self_intersections, 0);
+  EXPECT_EQ(r.landmarks.turns, l.turns);
+  EXPECT_EQ(r.landmarks.triangles, l.triangles);
 }
 
 TEST(RefineLandmarks, NeverLeavesMoreThanItFoundAndSaysWhatIsLeft) {

@@ -66,6 +66,9 @@ struct ModelBuild {
   int inserted_landmarks = 0;  ///< added to the budget by refinement
   int remaining_flips =
       0;  ///< confirmed-flipped or degenerate landmark triangles, over all shapes; must be 0
+  /// Pairs of landmark triangles that meet, over all shapes whose input does not meet itself: before they
+  /// were mended, and left.
+  int initial_self_intersections = 0, remaining_self_intersections = 0;
   ProcrustesResult procrustes;
   ShapeModel model;
   std::vector<double> template_motion_mm;   ///< see GroupRegistration
