@@ -55,14 +55,7 @@ std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunCont
   member.working = steps.simplified(surface);
   steps.begin(member, align(surface, impl_->reference.mesh(), single), impl_->mean, impl_->prior);
   // Once more from where the map has the landmarks, aligned by them as the training shapes are.
-  const std::vector<Vec3> lifted =
-      lift_to_surface(TorusLocator(member.working.mesh, member.map.map), landmarks);
-  const SimilarityTransform motion =
-      fit_similarity(lifted, impl_->reference.mesh().positions(), ScaleMode::keep);
-  member.to_template.linear() = motion.rotation;
-  member.to_template.translation() = motion.translation;
-  steps.place(member, impl_->mean);
-  steps.again(member, impl_->mean, impl_->prior);
+  steps.newcomer_round(member, landmarks, impl_->reference.mesh().positions(), impl_->mean, impl_->prior);
   steps.finish(member, impl_->mean);
   return lift_to_surface(TorusLocator(surface, member.result.shape_map.map), landmarks);
 }

@@ -30,6 +30,13 @@ Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vec
 
 }  // namespace
 
+RigidTransform rigid(const SimilarityTransform& transform) {
+  RigidTransform out = RigidTransform::Identity();
+  out.linear() = transform.rotation;
+  out.translation() = transform.translation;
+  return out;
+}
+
 PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options)
     : surface(std::move(made)),
       metric(surface),
@@ -79,6 +86,16 @@ void MemberSteps::again(Member& member, const PreparedTemplate& to, const Displa
   const Mesh aligned = transformed(member.working.mesh, member.to_template);
   member.bent = bent_onto(aligned, to, options_.again, member.bent, prior);
   improve(member, aligned, to);
+}
+
+void MemberSteps::newcomer_round(Member& member, std::span<const Vec2> turns,
+                                 std::span<const Vec3> on_template, const PreparedTemplate& to,
+                                 const DisplacementPrior& prior) const {
+  const TorusLocator locator(member.working.mesh, member.map.map);
+  const std::vector<Vec3> lifted = lift_to_surface(locator, turns);
+  member.to_template = rigid(fit_similarity(lifted, on_template, ScaleMode::keep));
+  place(member, to);
+  again(member, to, prior);
 }
 
 std::vector<Vec3> MemberSteps::bent_onto(const Mesh& aligned, const PreparedTemplate& to,

@@ -37,6 +37,9 @@ struct Member : MemberState {
   std::vector<Vec3> attractor;  // as bent, what the description length draws it to; empty: bent serves
 };
 
+/// The motion of a fit that kept the scale.
+RigidTransform rigid(const SimilarityTransform& transform);
+
 /// The steps of register_group() for one shape, on one thread. All of them need of other shapes only the
 /// template.
 class MemberSteps {
@@ -54,6 +57,10 @@ class MemberSteps {
   void place(Member& member, const PreparedTemplate& to) const;
   /// Once more, to the template that was placed. \param prior  of its displacement onto the shape
   void again(Member& member, const PreparedTemplate& to, const DisplacementPrior& prior) const;
+  /// A round by itself: the shape is aligned by where its map has these turns to where the template has them,
+  /// the template placed there and bent again.
+  void newcomer_round(Member& member, std::span<const Vec2> turns, std::span<const Vec3> on_template,
+                      const PreparedTemplate& to, const DisplacementPrior& prior) const;
   /// The map alone, drawn to what the template bent last (or the description length) says.
   void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
   /// From the working mesh to the input, with all checks: fills the result.

@@ -21,13 +21,6 @@
 namespace foramen {
 namespace {
 
-RigidTransform rigid(const SimilarityTransform& transform) {
-  RigidTransform out = RigidTransform::Identity();
-  out.linear() = transform.rotation;
-  out.translation() = transform.translation;
-  return out;
-}
-
 PreparedTemplate reference_template(const Reference& reference, const RegisterGroupOptions& options,
                                     const RunContext& ctx) {
   return {remeshed_template(reference.mesh(), reference.shape_map.map, options.mean.vertices, ctx), options};
@@ -234,11 +227,7 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
   const PreparedTemplate mean(group.surface, options);
   const TorusGrid grid = make_torus_grid(reference.shape_map.map.lattice, options.mean.grid_points);
   for (int round = 0; round < group.rounds; ++round) {
-    const TorusLocator locator(member.working.mesh, member.map.map);
-    const std::vector<Vec3> lifted = lift_to_surface(locator, grid.turns);
-    member.to_template = rigid(fit_similarity(lifted, group.grid, ScaleMode::keep));
-    steps.place(member, mean);
-    steps.again(member, mean, group.prior);
+    steps.newcomer_round(member, grid.turns, group.grid, mean, group.prior);
   }
   steps.finish(member, mean);
   return std::move(member.result);
