@@ -24,7 +24,7 @@ struct Candidate {
 };
 
 struct Value {
-  int guilt = 0;
+  Guilt guilt;
   double roundness = 0;
 };
 
@@ -40,13 +40,13 @@ class Search {
   Candidate flip(int h) const {
     const int t = mesh_.twin(h);
     const int a = mesh_.from(h), b = mesh_.to(h), c = mesh_.apex(h), d = mesh_.apex(t);
-    return {{RepairKind::flip, h, {}, {a, b, c, d}, 0, 0}, {h / 3, t / 3}, {{d, b, c}, {d, c, a}}, {}};
+    return {{RepairKind::flip, h, {}, {a, b, c, d}, {}, 0}, {h / 3, t / 3}, {{d, b, c}, {d, c, a}}, {}};
   }
 
   Candidate split_edge(int h) const {
     const int t = mesh_.twin(h), m = new_place;
     const int a = mesh_.from(h), b = mesh_.to(h), c = mesh_.apex(h), d = mesh_.apex(t);
-    return {{RepairKind::split_edge, h, {}, {a, b, c, d}, 0, 0},
+    return {{RepairKind::split_edge, h, {}, {a, b, c, d}, {}, 0},
             {h / 3, t / 3},
             {{a, m, c}, {m, b, c}, {m, a, d}, {b, m, d}},
             mesh_.place(a) + part(mesh_.along(h), 0.5)};
@@ -56,7 +56,7 @@ class Search {
     const auto [a, b, c] = mesh_.corners(f);
     const int m = new_place;
     const Fixed2 centre = part(mesh_.along(3 * f) - mesh_.along(3 * f + 2), 1.0 / 3);
-    return {{RepairKind::split_face, f, {}, {a, b, c}, 0, 0},
+    return {{RepairKind::split_face, f, {}, {a, b, c}, {}, 0},
             {f},
             {{a, b, m}, {b, c, m}, {c, a, m}},
             mesh_.place(a) + centre};
@@ -65,7 +65,7 @@ class Search {
   /// Empty triangles if the move would turn a triangle of the torus over.
   Candidate move(int v, Fixed2 by) const {
     const Fixed2 target = mesh_.place(v) + by;
-    Candidate c{{RepairKind::move, v, target, {v}, 0, 0}, {}, {}, target};
+    Candidate c{{RepairKind::move, v, target, {v}, {}, 0}, {}, {}, target};
     bool positive = true;
     mesh_.for_each_outgoing(v, [&](int h) {
       positive &= cross(mesh_.along(h) - by, mesh_.along(TorusTriangulation::next(h))) > 0;
@@ -77,11 +77,11 @@ class Search {
     return c;
   }
 
-  int guilt_before(const Candidate& c) const {
-    int count = 0;
+  Guilt guilt_before(const Candidate& c) const {
+    Guilt sum;
     for (const auto& of_shape : guilt_)
-      for (int f : c.old_faces) count += of_shape[f];
-    return count;
+      for (int f : c.old_faces) sum = sum + of_shape[f];
+    return sum;
   }
 
   double roundness_before(const Candidate& c) const {
@@ -96,7 +96,7 @@ class Search {
   }
 
   /// Adds up the guilt until it reaches `limit`; the shapes where something is wrong now come first.
-  Value evaluate(const Candidate& c, int limit) const {
+  Value evaluate(const Candidate& c, const Guilt& limit) const {
     Value value;
     std::vector<double> roundness(c.triangles.size(), 0.0);
     for (int s : shapes_by_guilt(c.old_faces)) {
@@ -104,8 +104,7 @@ class Search {
       for (std::size_t k = 0; k < c.triangles.size(); ++k) {
         const auto triangle = points(s, c.triangles[k], lifted);
         roundness[k] += smallest_angle(triangle) / lifted_.shapes();
-        value.guilt += lifted_.guilty(s, triangle) ? flipped_guilt : 0;
-        value.guilt += meetings(s, c, k, lifted);
+        value.guilt = value.guilt + Guilt{lifted_.guilty(s, triangle), meetings(s, c, k, lifted)};
         if (value.guilt >= limit) return value;
       }
     }
@@ -146,7 +145,7 @@ class Search {
     std::vector<int> order(guilt_.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_partition(order.begin(), order.end(), [&](int s) {
-      return std::any_of(faces.begin(), faces.end(), [&](int f) { return guilt_[s][f] != 0; });
+      return std::any_of(faces.begin(), faces.end(), [&](int f) { return guilt_[s][f] != Guilt{}; });
     });
     return order;
   }
@@ -165,13 +164,13 @@ void take(Repair& best, const Candidate& c, const Value& value) {
 /// Changes without a new landmark: each must lessen the guilt, and not buy that with slivers.
 Repair best_free_repair(const Search& search, const TorusTriangulation& mesh, int face) {
   Repair best;
-  int best_gain = 0;
+  Guilt best_gain;
   const auto consider = [&](const Candidate& c) {
     if (c.triangles.empty()) return;
-    const int before = search.guilt_before(c);
+    const Guilt before = search.guilt_before(c);
     const Value after = search.evaluate(c, before);
-    const int gain = before - after.guilt;
-    if (gain <= 0 || gain < best_gain) return;
+    const Guilt gain = before - after.guilt;
+    if (gain <= Guilt{} || gain < best_gain) return;
     if (after.roundness < round_enough && after.roundness < search.roundness_before(c)) return;
     if (gain == best_gain && after.roundness <= best.roundness) return;
     take(best, c, after);
@@ -179,7 +178,7 @@ Repair best_free_repair(const Search& search, const TorusTriangulation& mesh, in
   };
   for (int k = 0; k < 3; ++k)
     if (mesh.can_flip(3 * face + k)) consider(search.flip(3 * face + k));
-  if (best.kind != RepairKind::none && best.guilt_after == 0) return best;
+  if (best.kind != RepairKind::none && best.guilt_after == Guilt{}) return best;
   for (int v : mesh.corners(face)) {
     Fixed2 sum;
     int count = 0;
@@ -196,13 +195,13 @@ Repair best_free_repair(const Search& search, const TorusTriangulation& mesh, in
 /// A new landmark may leave as much guilt as there was, since finer triangles give the next round more
 /// freedom.
 Repair best_insertion(const Search& search, int face, bool must_help) {
-  constexpr int no_limit = std::numeric_limits<int>::max();
+  constexpr Guilt no_limit{std::numeric_limits<int>::max(), 0};
   Repair best;
-  int best_gain = must_help ? 0 : -no_limit;
+  Guilt best_gain = must_help ? Guilt{} : Guilt{} - no_limit;
   const auto consider = [&](const Candidate& c) {
-    const int before = search.guilt_before(c);
-    const Value after = search.evaluate(c, must_help ? before + 1 : no_limit);
-    const int gain = before - after.guilt;
+    const Guilt before = search.guilt_before(c);
+    const Value after = search.evaluate(c, must_help ? before + Guilt{0, 1} : no_limit);
+    const Guilt gain = before - after.guilt;
     if (gain < best_gain || (gain == best_gain && after.roundness <= best.roundness)) return;
     take(best, c, after);
     best_gain = gain;

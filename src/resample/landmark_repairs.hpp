@@ -2,17 +2,28 @@
 /// \file
 /// The local changes that may repair a guilty landmark triangle, and how good each would be.
 
+#include <compare>
 #include <vector>
 
 #include "resample/lifted_landmarks.hpp"
 
 namespace foramen::detail {
 
-/// How guilty every triangle is on every shape: flipped_guilt if it is flipped or degenerate, and 1 for each
-/// triangle it meets.
-using GuiltTable = std::vector<std::vector<int>>;  // [shape][face]
-/// More than the triangles any triangle meets.
-inline constexpr int flipped_guilt = 1000;
+/// What is wrong with triangles. A flip outweighs any number of meetings.
+struct Guilt {
+  int flipped = 0;   ///< triangles that are flipped or degenerate
+  int meetings = 0;  ///< triangles met, so that a pair of guilty triangles counts twice
+  friend auto operator<=>(const Guilt&, const Guilt&) = default;
+};
+
+inline Guilt operator+(const Guilt& a, const Guilt& b) {
+  return {a.flipped + b.flipped, a.meetings + b.meetings};
+}
+inline Guilt operator-(const Guilt& a, const Guilt& b) {
+  return {a.flipped - b.flipped, a.meetings - b.meetings};
+}
+
+using GuiltTable = std::vector<std::vector<Guilt>>;  // [shape][face]
 
 enum class RepairKind { none, flip, move, split_edge, split_face };
 
@@ -21,7 +32,7 @@ struct Repair {
   int element = -1;          ///< halfedge (flip, split_edge), vertex (move) or face (split_face)
   Fixed2 place;              ///< of the moved vertex
   std::vector<int> support;  ///< vertices that must not have changed since
-  int guilt_after = 0;       ///< over the changed triangles and all shapes
+  Guilt guilt_after;         ///< over the changed triangles and all shapes
   double roundness =
       0;  ///< smallest over the changed triangles of the mean over shapes of its smallest angle
 };

@@ -11,17 +11,10 @@
 namespace foramen {
 namespace {
 
-using detail::flipped_guilt;
+using detail::Guilt;
 using detail::GuiltTable;
 using detail::Repair;
 using detail::RepairKind;
-
-/// Over all shapes.
-struct Guilt {
-  int flipped = 0;   // triangles, flipped or degenerate
-  int meetings = 0;  // pairs of triangles
-  friend auto operator<=>(const Guilt&, const Guilt&) = default;
-};
 
 /// What is mended: flipped and degenerate triangles, or also triangles that meet.
 enum class Mending { flips, meetings };
@@ -39,7 +32,7 @@ class Refinement {
         watch_(shapes.size(), mending == Mending::meetings ? Watch::input_unknown : Watch::off),
         lifted_(shapes, mesh_, ctx),
         ctx_(ctx),
-        guilt_(shapes.size(), std::vector<int>(landmarks.triangles.size(), 0)) {
+        guilt_(shapes.size(), std::vector<Guilt>(landmarks.triangles.size())) {
     inspect_all();
   }
 
@@ -48,27 +41,26 @@ class Refinement {
     lifted_.measure_edges(mesh_);
     parallel_for(lifted_.shapes(), ctx_, [&](int s) {
       const SampledFlips found = sampled_flips(lifted_.corresponding(s, mesh_), *shapes_[s].tree);
-      std::fill(guilt_[s].begin(), guilt_[s].end(), 0);
-      for (FaceId f : found.confirmed) guilt_[s][f.index] = flipped_guilt;
-      for (FaceId f : found.degenerate) guilt_[s][f.index] = flipped_guilt;
+      std::fill(guilt_[s].begin(), guilt_[s].end(), Guilt{});
+      for (FaceId f : found.confirmed) guilt_[s][f.index].flipped = 1;
+      for (FaceId f : found.degenerate) guilt_[s][f.index].flipped = 1;
       count_meetings(s);
     });
   }
 
+  /// Of all triangles on all shapes.
   Guilt guilt() const {
     Guilt sum;
     for (const auto& of_shape : guilt_)
-      for (int g : of_shape) {
-        sum.flipped += g / flipped_guilt;
-        sum.meetings += g % flipped_guilt;
-      }
-    return {sum.flipped, sum.meetings / 2};
+      for (const Guilt& g : of_shape) sum = sum + g;
+    return sum;
   }
 
   std::vector<int> guilty_faces() const {
     std::vector<int> faces;
     for (int f = 0; f < mesh_.face_slots(); ++f)
-      if (std::any_of(guilt_.begin(), guilt_.end(), [&](const auto& of_shape) { return of_shape[f] != 0; }))
+      if (std::any_of(guilt_.begin(), guilt_.end(),
+                      [&](const auto& of_shape) { return of_shape[f] != Guilt{}; }))
         faces.push_back(f);
     return faces;
   }
@@ -126,12 +118,12 @@ class Refinement {
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     parallel_for(lifted_.shapes(), ctx_, [&](int s) {
-      guilt_[s].resize(static_cast<std::size_t>(mesh_.face_slots()), 0);
+      guilt_[s].resize(static_cast<std::size_t>(mesh_.face_slots()));
       for (int f : faces) {
         const auto [a, b, c] = mesh_.corners(f);
-        const bool guilty =
+        const bool flipped =
             lifted_.guilty(s, {lifted_.point(s, a), lifted_.point(s, b), lifted_.point(s, c)});
-        guilt_[s][f] = guilty ? flipped_guilt : 0;
+        guilt_[s][f] = {flipped, 0};
       }
       count_meetings(s);
     });
@@ -139,15 +131,15 @@ class Refinement {
 
   void count_meetings(int s) {
     if (watch_[s] == Watch::off) return;
-    for (int& g : guilt_[s]) g -= g % flipped_guilt;
+    for (Guilt& g : guilt_[s]) g.meetings = 0;
     lifted_.refresh_surface(s, mesh_);
     const auto pairs = self_intersections(*lifted_.surface(s));
     if (!pairs.empty() && watch_[s] == Watch::input_unknown)
       watch_[s] = self_intersections(*shapes_[s].tree).empty() ? Watch::on : Watch::off;
     if (watch_[s] == Watch::off) return lifted_.forget_surface(s);
     for (const auto& [f, g] : pairs) {
-      ++guilt_[s][f.index];
-      ++guilt_[s][g.index];
+      ++guilt_[s][f.index].meetings;
+      ++guilt_[s][g.index].meetings;
     }
   }
 
@@ -166,7 +158,7 @@ void mend(RefinedLandmarks& best, std::span<const LandmarkShape> shapes, Mending
   Refinement state(best.landmarks, shapes, mending, ctx);
   Guilt least = state.guilt();
   if (mending == Mending::flips) best.initial = least.flipped;
-  best.initial_self_intersections = least.meetings;
+  best.initial_self_intersections = least.meetings / 2;
   best.landmarks = state.landmark_mesh();
   if (mending == Mending::meetings && least.meetings == 0) return;  // flips that are left had their rounds
   RefinedLandmarks result = best;
@@ -192,7 +184,7 @@ void mend(RefinedLandmarks& best, std::span<const LandmarkShape> shapes, Mending
   }
   if (least != Guilt{}) least = Refinement(best.landmarks, shapes, mending, ctx).guilt();
   best.remaining = least.flipped;
-  best.remaining_self_intersections = least.meetings;
+  best.remaining_self_intersections = least.meetings / 2;
 }
 
 }  // namespace

@@ -4,85 +4,20 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/spatial/flips.hpp"
 #include "foramen/spatial/self_intersections.hpp"
-#include "resample/mapped_tori.hpp"
+#include "resample/mapped_cohort.hpp"
 
 namespace foramen {
 namespace {
 
-using testing::MappedSurface;
-
-/// Shapes with what lifting and judging needs; the surfaces must outlive it.
-struct Cohort {
-  std::vector<MappedSurface> surfaces;
-  std::vector<TorusLocator> locators;
-  std::vector<TriangleTree> trees;
-  explicit Cohort(std::vector<MappedSurface> of) : surfaces(std::move(of)) {
-    for (const auto& s : surfaces) {
-      locators.emplace_back(s.mesh, s.map);
-      trees.emplace_back(s.mesh);
-    }
-  }
-  std::vector<LandmarkShape> shapes() const {
-    std::vector<LandmarkShape> out;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) out.push_back({&locators[i], &trees[i]});
-    return out;
-  }
-  int guilty(const LandmarkMesh& l) const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      const auto f =
-          sampled_flips(build_mesh({lift_to_surface(locators[i], l.turns), l.triangles}), trees[i]);
-      count += f.confirmed.size() + f.degenerate.size();
-    }
-    return static_cast<int>(count);
-  }
-  int meetings(const LandmarkMesh& l) const {
-    std::size_t count = 0;
-    for (const TorusLocator& locator : locators)
-      count += self_intersections(TriangleTree(build_mesh({lift_to_surface(locator, l.turns), l.triangles})))
-                   .size();
-    return static_cast<int>(count);
-  }
-};
-
-/// A torus whose tube, 16 mm high, is pressed flat in one place: a bent wall of thickness 2 * half_wall_mm.
-MappedSurface walled_torus(double half_wall_mm, double middle_turns, double width_turns) {
-  return testing::mapped_surface("walled torus", testing::rectangular_lattice(20, 8), 20000,
-                                 [=](const Vec2& t) {
-                                   const double x = std::remainder(t.x() - middle_turns, 1.0) / width_turns;
-                                   const double across = 3 - (3 - half_wall_mm) * std::exp(-x * x / 2);
-                                   const Vec2 a = 2 * std::numbers::pi * t;
-                                   const double r = 20 + across * std::cos(a.y());
-                                   return Vec3(r * std::cos(a.x()), r * std::sin(a.x()), 8 * std::sin(a.y()));
-                                 });
-}
-
-MappedSurface spikes() { return testing::spiky_torus(20000, 6, 14, 0.02); }
-
-LandmarkMesh landmarks_of(const MappedSurface& m, int count) {
-  return remesh(m.mesh, m.map, curvature_density(m.mesh), RunContext(1), {.landmarks = count});
-}
-
-/// The spiky torus three times, its maps bent differently: landmarks that suit the unbent map miss the thin
-/// tips.
-Cohort bent_spikes(double strength) {
-  std::vector<MappedSurface> out;
-  for (int k = 0; k < 3; ++k) {
-    out.push_back(spikes());
-    TorusMap& map = out.back().map;
-    for (Vec2& t : map.turns) {
-      const Vec2 a = 2 * std::numbers::pi * t;
-      t += strength * Vec2(std::sin(3 * a.y() + k), std::sin(2 * a.x() + 2 * a.y() + 2 * k));
-    }
-    map = quantised(out.back().mesh, map);
-  }
-  return Cohort(std::move(out));
-}
+using testing::bent_spikes;
+using testing::landmarks_of;
+using testing::MappedCohort;
+using testing::spikes;
+using testing::walled_torus;
 
 TEST(RefineLandmarks, LeavesAGoodTriangulationAlone) {
-  const Cohort cohort({testing::torus(6000), testing::wavy_torus(6000)});
+  const MappedCohort cohort({testing::torus(6000), testing::wavy_torus(6000)});
   const LandmarkMesh l = landmarks_of(testing::torus(6000), 800);
   const RefinedLandmarks r = refine_landmarks(l, cohort.shapes(), RunContext(1));
   EXPECT_EQ(r.initial, 0);
@@ -93,7 +28,7 @@ TEST(RefineLandmarks, LeavesAGoodTriangulationAlone) {
 }
 
 TEST(RefineLandmarks, RepairsThinSpikesOnAllShapes) {
-  const Cohort cohort = bent_spikes(0.04);
+  const MappedCohort cohort = bent_spikes(0.04);
   for (int count : {200, 400, 800}) {
     SCOPED_TRACE(count);
     const LandmarkMesh l = landmarks_of(spikes(), count);
@@ -115,7 +50,7 @@ TEST(RefineLandmarks, RepairsThinSpikesOnAllShapes) {
 }
 
 TEST(RefineLandmarks, TheSameForAnyNumberOfThreads) {
-  const Cohort cohort = bent_spikes(0.04);
+  const MappedCohort cohort = bent_spikes(0.04);
   const LandmarkMesh l = landmarks_of(spikes(), 800);
   const RefinedLandmarks a = refine_landmarks(l, cohort.shapes(), RunContext(1));
   const RefinedLandmarks b = refine_landmarks(l, cohort.shapes(), RunContext(3));
@@ -126,7 +61,8 @@ TEST(RefineLandmarks, TheSameForAnyNumberOfThreads) {
 }
 
 TEST(RefineLandmarks, PartsTheSidesOfThinWalls) {
-  const Cohort cohort({walled_torus(0.01, 0.0, 0.15), walled_torus(0.01, 0.3, 0.15), testing::torus(6000)});
+  const MappedCohort cohort(
+      {walled_torus(0.01, 0.0, 0.15), walled_torus(0.01, 0.3, 0.15), testing::torus(6000)});
   for (const TriangleTree& tree : cohort.trees) ASSERT_TRUE(self_intersections(tree).empty());
   for (int count : {200, 800}) {
     SCOPED_TRACE(count);
@@ -151,7 +87,7 @@ TEST(RefineLandmarks, PartsTheSidesOfThinWalls) {
 }
 
 TEST(RefineLandmarks, PartsAWallWithNewLandmarksOnlyOrSaysThatItMeets) {
-  const Cohort cohort({walled_torus(0.005, 0.0, 0.1)});
+  const MappedCohort cohort({walled_torus(0.005, 0.0, 0.1)});
   const LandmarkMesh l = landmarks_of(testing::torus(20000), 400);
   const RefinedLandmarks without = refine_landmarks(l, cohort.shapes(), RunContext(1), {.budget = 0});
   EXPECT_EQ(without.inserted, 0);
@@ -163,9 +99,23 @@ TEST(RefineLandmarks, PartsAWallWithNewLandmarksOnlyOrSaysThatItMeets) {
   EXPECT_EQ(cohort.meetings(with.landmarks), 0);
 }
 
+TEST(RefineLandmarks, AnotherRoundNeverEndsWithMore) {
+  for (const auto& [width, count] : {std::pair(0.1, 400), std::pair(0.15, 400)}) {
+    const MappedCohort cohort({walled_torus(0.002, 0.0, width), walled_torus(0.002, 0.3, width)});
+    const LandmarkMesh l = landmarks_of(testing::torus(20000), count);
+    int former = cohort.meetings(l);
+    for (int rounds = 0; rounds <= 5; ++rounds) {
+      const RefinedLandmarks r = refine_landmarks(l, cohort.shapes(), RunContext(2), {.round_limit = rounds});
+      EXPECT_LE(r.remaining_self_intersections, former) << width << " turns wide, " << rounds << " rounds";
+      EXPECT_EQ(r.remaining_self_intersections, cohort.meetings(r.landmarks));
+      former = r.remaining_self_intersections;
+    }
+  }
+}
+
 TEST(RefineLandmarks, LeavesShapesWhoseInputMeetsItselfAsTheyAre) {
   // The wall's sides have changed places.
-  const Cohort cohort({walled_torus(-0.5, 0.0, 0.1)});
+  const MappedCohort cohort({walled_torus(-0.5, 0.0, 0.1)});
   ASSERT_FALSE(self_intersections(cohort.trees[0]).empty());
   const LandmarkMesh l = landmarks_of(testing::torus(20000), 400);
   ASSERT_GT(cohort.meetings(l), 0);
@@ -178,7 +128,7 @@ TEST(RefineLandmarks, LeavesShapesWhoseInputMeetsItselfAsTheyAre) {
 
 TEST(RefineLandmarks, NeverLeavesMoreThanItFoundAndSaysWhatIsLeft) {
   // One round and no new landmark: not enough here.
-  const Cohort cohort = bent_spikes(0.04);
+  const MappedCohort cohort = bent_spikes(0.04);
   const LandmarkMesh l = landmarks_of(spikes(), 800);
   const RefinedLandmarks r =
       refine_landmarks(l, cohort.shapes(), RunContext(1), {.budget = 0, .round_limit = 1});

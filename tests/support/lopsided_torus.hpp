@@ -3,14 +3,14 @@
 /// A torus that no motion but the identity maps onto itself, so that alignment has one answer.
 
 #include <cmath>
+#include <utility>
 
 #include "support/meshes.hpp"
 
 namespace foramen::testing {
 
 /// \param strength  of one bump: shapes of different strength are different shapes of one family
-inline TriangleSoup lopsided_torus_soup(int around, int tube, double strength = 1.0) {
-  TriangleSoup soup = torus_soup(around, tube);
+inline TriangleSoup lopsided(TriangleSoup soup, double strength) {
   for (Vec3& p : soup.points) {
     const double u = std::atan2(p.y(), p.x());
     p.x() *= 1.5;
@@ -19,6 +19,25 @@ inline TriangleSoup lopsided_torus_soup(int around, int tube, double strength = 
     p.z() += 0.02 * p.x() * p.x();
   }
   return soup;
+}
+
+inline TriangleSoup lopsided_torus_soup(int around, int tube, double strength = 1.0) {
+  return lopsided(torus_soup(around, tube), strength);
+}
+
+/// The same, its tube, 16 mm high, pressed flat in one place: a wall of thickness 2 * half_wall_mm and about
+/// twice `width` long, in radians of the ring.
+inline TriangleSoup walled_torus_soup(int around, int tube, double strength, double half_wall_mm,
+                                      double width) {
+  TriangleSoup soup = torus_soup(around, tube);
+  for (Vec3& p : soup.points) {
+    const double x = (std::atan2(p.y(), p.x()) - 2) / width;
+    const double half_width = 8 - (8 - half_wall_mm) * std::exp(-x * x / 2);
+    const Vec3 centre = 20 * Vec3(p.x(), p.y(), 0).normalized();
+    const Vec3 across = p - centre;
+    p = centre + Vec3(half_width / 8 * across.x(), half_width / 8 * across.y(), across.z());
+  }
+  return lopsided(std::move(soup), strength);
 }
 
 /// The same with knobs all over, so that a place on it can be told from its neighbours.
