@@ -65,9 +65,9 @@ void require_noise(const Mesh& mesh, const RemoveHandlesOptions& options, const 
       "genus " + std::to_string(g) + ": beside the canal there " + (anatomy.size() == 1 ? "is " : "are ") +
       counted(anatomy.size(), "handle") + " too large for noise (" + listed(anatomy) +
       "): foramina transversaria of a cervical vertebra are "
-      "anatomy, not defects, and such vertebrae are not supported; if it is noise all the same, raise the "
-      "limit (" +
-      shown_mm(options.noise_mm) + ") or mend the segmentation");
+      "anatomy, not defects, and such vertebrae are not supported; if it is noise all the same, raise "
+      "--handle-limit (" +
+      shown_mm(options.noise_mm) + ", for both lengths) or mend the segmentation");
 }
 
 }  // namespace

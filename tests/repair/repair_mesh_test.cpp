@@ -10,9 +10,9 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/rng.hpp"
 #include "foramen/spatial/self_intersections.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "repair/mended.hpp"
 #include "support/handles.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
@@ -20,7 +20,11 @@
 namespace foramen {
 namespace {
 
+using testing::count;
+using testing::expect_only;
+using testing::expect_same;
 using ::testing::HasSubstr;
+using testing::mended;
 using testing::real_mesh;
 using testing::renumbered;
 using testing::torus_soup;
@@ -40,45 +44,6 @@ std::string refusal(const Work& work) {
   }
   ADD_FAILURE() << "not refused";
   return {};
-}
-
-int count(const RepairedMesh& repaired, RepairKind kind) {
-  for (const RepairChange& change : repaired.report.changes)
-    if (change.kind == kind) return change.count();
-  return 0;
-}
-
-// Usable, and the ways there and back agree.
-RepairedMesh mended(const TriangleSoup& raw, const RepairOptions& options = {}) {
-  RepairedMesh repaired = repair_mesh(raw, options);
-  EXPECT_FALSE(obstacle_to_model(inspect_mesh(repaired.mesh.soup())));
-  EXPECT_GT(signed_volume(repaired.mesh), 0);
-  EXPECT_EQ(repaired.origin.size(), repaired.mesh.vertex_count());
-  EXPECT_EQ(repaired.repaired.size(), static_cast<int>(raw.points.size()));
-  for (VertexId v : repaired.mesh.vertices()) {
-    const VertexId was = repaired.origin[v];
-    if (!was.valid()) continue;
-    const auto now = repaired.from_raw(was);
-    EXPECT_TRUE(now.has_value());
-    EXPECT_EQ(repaired.origin[now.value_or(v)], was);
-    EXPECT_LE((repaired.mesh.position(v) - raw.points[static_cast<std::size_t>(was.index)]).norm(),
-              repaired.report.largest_move_mm);
-  }
-  EXPECT_FALSE(repaired.from_raw(VertexId()));
-  EXPECT_FALSE(repaired.from_raw(VertexId(static_cast<int>(raw.points.size()))));
-  return repaired;
-}
-
-void expect_only(const RepairedMesh& repaired, std::vector<std::pair<RepairKind, int>> expected) {
-  std::vector<std::pair<RepairKind, int>> found;
-  for (const RepairChange& change : repaired.report.changes) found.emplace_back(change.kind, change.count());
-  EXPECT_EQ(found, expected) << summary(repaired.report);
-}
-
-void expect_same(const Mesh& mesh, const TriangleSoup& soup) {
-  EXPECT_EQ(mesh.triangles(), soup.triangles);
-  EXPECT_TRUE(
-      std::equal(soup.points.begin(), soup.points.end(), mesh.positions().begin(), mesh.positions().end()));
 }
 
 // A closed tetrahedron, wound outward.
@@ -425,74 +390,6 @@ TEST(RepairMesh, MotionAndRenumberingChangeNoCount) {
     EXPECT_EQ(here.report.changes[k].count(), there.report.changes[k].count());
   }
   EXPECT_NEAR(signed_volume(here.mesh), signed_volume(there.mesh), 1e-6);
-}
-
-// Whatever comes in: a usable surface or a refusal.
-void expect_mended_or_refused(const TriangleSoup& soup) {
-  try {
-    const RepairedMesh repaired = repair_mesh(soup);
-    EXPECT_FALSE(obstacle_to_model(inspect_mesh(repaired.mesh.soup())));
-  } catch (const InvalidInput& e) {
-    EXPECT_GT(std::string(e.what()).size(), 20u);
-  }
-}
-
-TEST(RepairMesh, AnySoupIsMendedOrRefused) {
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    SCOPED_TRACE(seed);
-    Rng rng(seed);
-    TriangleSoup soup;
-    const int points = 3 + rng.below(30), triangles = 1 + rng.below(60);
-    const bool on_grid = rng.below(2) == 0;  // many coincidences
-    for (int v = 0; v < points; ++v) {
-      const Vec3 p(rng.uniform(0, 4), rng.uniform(0, 4), rng.uniform(0, 4));
-      soup.points.push_back(on_grid ? Vec3(p.array().round()) : Vec3(10 * p));
-    }
-    for (int f = 0; f < triangles; ++f)
-      soup.triangles.push_back({rng.below(points), rng.below(points), rng.below(points)});
-    expect_mended_or_refused(soup);
-  }
-}
-
-TEST(RepairMesh, AnyDamageIsMendedOrRefused) {
-  int usable = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
-    SCOPED_TRACE(seed);
-    Rng rng(seed);
-    TriangleSoup soup = torus_soup(16, 10);
-    const int edits = 1 + rng.below(8);
-    for (int e = 0; e < edits; ++e) {
-      const auto f = static_cast<std::size_t>(rng.below(static_cast<int>(soup.triangles.size())));
-      const auto v = static_cast<std::size_t>(rng.below(static_cast<int>(soup.points.size())));
-      switch (rng.below(6)) {
-        case 0:
-          soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(f));
-          break;
-        case 1:
-          soup.triangles.push_back(soup.triangles[f]);
-          break;
-        case 2:
-          std::swap(soup.triangles[f][0], soup.triangles[f][1]);
-          break;
-        case 3:
-          soup.triangles[f][static_cast<std::size_t>(rng.below(3))] = static_cast<int>(v);
-          break;
-        case 4:
-          soup.points[v] += 6 * Vec3(rng.normal(), rng.normal(), rng.normal());
-          break;
-        default:
-          soup.points[v] = soup.points[static_cast<std::size_t>(soup.triangles[f][0])];
-          break;
-      }
-    }
-    expect_mended_or_refused(soup);
-    try {
-      repair_mesh(soup, {.hole_perimeter_mm = 100});
-      ++usable;
-    } catch (const InvalidInput&) {
-    }
-  }
-  EXPECT_GT(usable, 100);
 }
 
 }  // namespace
