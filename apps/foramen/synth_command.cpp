@@ -37,7 +37,7 @@ void add_synth_options(CLI::App& command, SynthOptions& options) {
   command.add_option("--correlation", options.correlation_mm, "correlation length of the displacement [mm]")
       ->check(CLI::Range(5.0, 500.0));
   command.add_option("--vertices", options.vertices, "vertices of a shape, about")
-      ->check(CLI::Range(500, 1000000));
+      ->check(CLI::Range(1500, 1000000));
 }
 
 std::string synth_name(int index) {

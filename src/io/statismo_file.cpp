@@ -122,7 +122,7 @@ void write_info(File& file, const StatismoModel& model) {
 template <class File>
 class ModelReader {
  public:
-  explicit ModelReader(const std::filesystem::path& path) : file_(path) {}
+  explicit ModelReader(const File& file) : file_(file) {}
 
   StatismoModel read() {
     check_version();
@@ -242,7 +242,7 @@ class ModelReader {
   }
 
   static constexpr std::size_t most_points_ = std::numeric_limits<int>::max() / 3;
-  File file_;
+  const File& file_;
   StatismoModel model_;
 };
 
@@ -276,7 +276,8 @@ void write_statismo(const std::filesystem::path& path, const StatismoModel& mode
 }
 
 StatismoModel read_statismo(const std::filesystem::path& path) {
-  return is_json(path) ? ModelReader<H5JsonReader>(path).read() : ModelReader<H5Reader>(path).read();
+  const auto model_of = [](const auto& file) { return ModelReader(file).read(); };
+  return is_json(path) ? model_of(H5JsonReader(path)) : read_h5(path, model_of);
 }
 
 }  // namespace foramen

@@ -47,6 +47,38 @@ void require_walk(const H5Reader& file, const Mesh& surface, const std::vector<V
       file.refuse("/loops", "step " + std::to_string(i) + " is no edge of the template");
 }
 
+Atlas read_from(const H5Reader& file) {
+  Atlas atlas;
+  atlas.surface = build_mesh(
+      {items_of<Vec3, double>(file, "/template/points", 3), triangles_of(file, "/template/triangles")});
+  if (!atlas.surface.is_closed()) file.refuse("/template/triangles", "not a closed surface");
+  atlas.map.turns = VertexMap<Vec2>(items_of<Vec2, double>(file, "/template/turns", 2));
+  require_count(file, "/template/turns", static_cast<std::size_t>(atlas.map.turns.size()),
+                static_cast<std::size_t>(atlas.surface.vertex_count()));
+  atlas.map.jumps = HalfedgeMap<Vec2i>(items_of<Vec2i, std::int32_t>(file, "/template/jumps", 2));
+  require_count(file, "/template/jumps", static_cast<std::size_t>(atlas.map.jumps.size()),
+                static_cast<std::size_t>(atlas.surface.halfedge_count()));
+  const Eigen::MatrixXd lattice = eigen_matrix(file.matrix<double>("/lattice"));
+  if (lattice.rows() != 2 || lattice.cols() != 2) file.refuse("/lattice", "not a 2 x 2 matrix");
+  atlas.map.lattice = lattice;
+  for (std::size_t k = 0; k < 2; ++k)
+    for (std::int32_t v : file.vector<std::int32_t>("/loops/" + std::to_string(k))) {
+      if (v < 0 || v >= atlas.surface.vertex_count()) file.refuse("/loops", "vertex " + std::to_string(v));
+      atlas.loops[k].emplace_back(v);
+    }
+  for (const auto& loop : atlas.loops) require_walk(file, atlas.surface, loop);
+  atlas.landmarks.turns = items_of<Vec2, double>(file, "/landmarks/turns", 2);
+  atlas.landmarks.triangles = triangles_of(file, "/landmarks/triangles");
+  atlas.landmarks.jumps = HalfedgeMap<Vec2i>(items_of<Vec2i, std::int32_t>(file, "/landmarks/jumps", 2));
+  atlas.names = file.children("/shapes");
+  for (const std::string& name : atlas.names) {
+    const Eigen::MatrixXd transform = eigen_matrix(file.matrix<double>("/shapes/" + name + "/transform"));
+    if (transform.rows() != 4 || transform.cols() != 4) file.refuse("/shapes/" + name, "not a 4 x 4 matrix");
+    atlas.transforms.emplace_back(transform);
+  }
+  return atlas;
+}
+
 }  // namespace
 
 Atlas atlas_of(const ModelBuild& build) {
@@ -85,37 +117,6 @@ void write_atlas(const std::filesystem::path& path, const Atlas& atlas) {
   });
 }
 
-Atlas read_atlas(const std::filesystem::path& path) {
-  const H5Reader file(path);
-  Atlas atlas;
-  atlas.surface = build_mesh(
-      {items_of<Vec3, double>(file, "/template/points", 3), triangles_of(file, "/template/triangles")});
-  if (!atlas.surface.is_closed()) file.refuse("/template/triangles", "not a closed surface");
-  atlas.map.turns = VertexMap<Vec2>(items_of<Vec2, double>(file, "/template/turns", 2));
-  require_count(file, "/template/turns", static_cast<std::size_t>(atlas.map.turns.size()),
-                static_cast<std::size_t>(atlas.surface.vertex_count()));
-  atlas.map.jumps = HalfedgeMap<Vec2i>(items_of<Vec2i, std::int32_t>(file, "/template/jumps", 2));
-  require_count(file, "/template/jumps", static_cast<std::size_t>(atlas.map.jumps.size()),
-                static_cast<std::size_t>(atlas.surface.halfedge_count()));
-  const Eigen::MatrixXd lattice = eigen_matrix(file.matrix<double>("/lattice"));
-  if (lattice.rows() != 2 || lattice.cols() != 2) file.refuse("/lattice", "not a 2 x 2 matrix");
-  atlas.map.lattice = lattice;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (std::int32_t v : file.vector<std::int32_t>("/loops/" + std::to_string(k))) {
-      if (v < 0 || v >= atlas.surface.vertex_count()) file.refuse("/loops", "vertex " + std::to_string(v));
-      atlas.loops[k].emplace_back(v);
-    }
-  for (const auto& loop : atlas.loops) require_walk(file, atlas.surface, loop);
-  atlas.landmarks.turns = items_of<Vec2, double>(file, "/landmarks/turns", 2);
-  atlas.landmarks.triangles = triangles_of(file, "/landmarks/triangles");
-  atlas.landmarks.jumps = HalfedgeMap<Vec2i>(items_of<Vec2i, std::int32_t>(file, "/landmarks/jumps", 2));
-  atlas.names = file.children("/shapes");
-  for (const std::string& name : atlas.names) {
-    const Eigen::MatrixXd transform = eigen_matrix(file.matrix<double>("/shapes/" + name + "/transform"));
-    if (transform.rows() != 4 || transform.cols() != 4) file.refuse("/shapes/" + name, "not a 4 x 4 matrix");
-    atlas.transforms.emplace_back(transform);
-  }
-  return atlas;
-}
+Atlas read_atlas(const std::filesystem::path& path) { return read_h5(path, read_from); }
 
 }  // namespace foramen

@@ -32,19 +32,20 @@ void write_error_maps(const std::filesystem::path& path, const std::vector<Named
 
 std::vector<ErrorMap> read_error_maps(const std::filesystem::path& path,
                                       const std::vector<std::string>& names, int landmarks, int triangles) {
-  const H5Reader file(path);
-  std::vector<ErrorMap> maps;
-  for (const std::string& name : names) {
-    const std::string group = group_of(name);
-    const std::vector<float> landmark_mm = file.vector<float>(group + "/landmark_mm");
-    if (std::ssize(landmark_mm) != landmarks)
-      file.refuse(group + "/landmark_mm", std::to_string(landmark_mm.size()) + " numbers for " +
-                                              std::to_string(landmarks) + " landmarks");
-    maps.push_back({{landmark_mm.begin(), landmark_mm.end()},
-                    flips_of(file, group + "/plain_flips", triangles),
-                    flips_of(file, group + "/confirmed_flips", triangles)});
-  }
-  return maps;
+  return read_h5(path, [&](const H5Reader& file) {
+    std::vector<ErrorMap> maps;
+    for (const std::string& name : names) {
+      const std::string group = group_of(name);
+      const std::vector<float> landmark_mm = file.vector<float>(group + "/landmark_mm");
+      if (std::ssize(landmark_mm) != landmarks)
+        file.refuse(group + "/landmark_mm", std::to_string(landmark_mm.size()) + " numbers for " +
+                                                std::to_string(landmarks) + " landmarks");
+      maps.push_back({{landmark_mm.begin(), landmark_mm.end()},
+                      flips_of(file, group + "/plain_flips", triangles),
+                      flips_of(file, group + "/confirmed_flips", triangles)});
+    }
+    return maps;
+  });
 }
 
 }  // namespace foramen

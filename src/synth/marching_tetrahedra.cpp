@@ -126,7 +126,8 @@ class Marcher {
 
   struct EdgeHash {
     std::size_t operator()(const std::pair<std::int64_t, std::int64_t>& e) const {
-      return std::hash<std::int64_t>{}(e.first * 0x9e3779b97f4a7c1LL ^ e.second);
+      return std::hash<std::uint64_t>{}(static_cast<std::uint64_t>(e.first) * 0x9e3779b97f4a7c1ULL ^
+                                        static_cast<std::uint64_t>(e.second));
     }
   };
   const Lattice& lattice_;

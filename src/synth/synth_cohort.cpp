@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 #include "foramen/core/error.hpp"
@@ -34,7 +35,10 @@ Rng item_stream(const SynthOptions& options, int item, ItemStream purpose) {
 }
 
 void require(bool fine, const std::string& what, double found) {
-  if (!fine) throw InvalidInput("synth: " + what + ", found " + std::to_string(found));
+  if (fine) return;
+  std::ostringstream message;
+  message << "synth: " << what << ", found " << found;
+  throw InvalidInput(message.str());
 }
 
 void check(const SynthOptions& options) {

@@ -54,6 +54,7 @@ TEST_F(Cli, UsageErrorsExitWith2) {
   EXPECT_EQ(run("build x -o y --landmarks 400 --target-error 1").code, 2);
   EXPECT_EQ(run("build x -o y --objective beauty").code, 2);
   EXPECT_EQ(run("build x -o y --rounds -1").code, 2);
+  EXPECT_EQ(run("synth -o y --vertices 1499").code, 2) << "fewer are refused by the library";
   EXPECT_EQ(run("--help").code, 0);
   EXPECT_THAT(run("--version").output, HasSubstr("foramen "));
 }

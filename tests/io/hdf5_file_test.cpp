@@ -1,5 +1,7 @@
 #include "foramen/io/hdf5_file.hpp"
 
+#include <csignal>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,6 +34,20 @@ void write_everything(H5Writer& file) {
   file.strings("/names", std::vector<std::string>{"a", "", "long one"});
   file.group("/group");
   file.attribute("/group", "kind", "POLYGON_MESH");
+}
+
+// What an IoError says; nothing else may be said.
+template <class Work>
+std::string message(const Work& work) {
+  ::testing::internal::CaptureStderr();
+  std::string text = "nothing was thrown";
+  try {
+    work();
+  } catch (const IoError& error) {
+    text = error.what();
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "HDF5 printed";
+  return text;
 }
 
 TEST(H5File, RoundTripOfEverything) {
@@ -102,17 +118,6 @@ TEST(H5File, EachMistakeHasItsMessage) {
   const TemporaryFolder folder;
   write_h5(folder.file("a.h5"), write_everything);
   const H5Reader file(folder.file("a.h5"));
-  const auto message = [](const auto& read) -> std::string {
-    ::testing::internal::CaptureStderr();
-    std::string text = "nothing was thrown";
-    try {
-      read();
-    } catch (const IoError& error) {
-      text = error.what();
-    }
-    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << "HDF5 printed";
-    return text;
-  };
   EXPECT_THAT(message([&] { file.scalar<double>("/nowhere"); }), HasSubstr("a.h5: /nowhere: is missing; "));
   EXPECT_THAT(message([&] { file.scalar<double>("/group"); }), HasSubstr("/group: is no dataset"));
   EXPECT_THAT(message([&] { file.vector<float>("/cells"); }),
@@ -175,6 +180,35 @@ TEST(H5File, DamagedFilesAreReadOrRefused) {
     }
   }
   EXPECT_GT(refused, 0);
+}
+
+TEST(H5File, WhatTheLibraryDoesNotSurviveIsRefused) {
+  const TemporaryFolder folder;
+  write_h5(folder.file("a.h5"), [](H5Writer& file) { file.scalar<double>("/x", 3.0); });
+  const auto x_of = [](const H5Reader& file) { return file.scalar<double>("/x"); };
+  EXPECT_EQ(read_h5(folder.file("a.h5"), x_of), 3.0);
+  EXPECT_THAT(message([&] {
+                read_h5(folder.file("a.h5"), [](const H5Reader&) {
+                  std::raise(SIGSEGV);
+                  return 0;
+                });
+              }),
+              AllOf(HasSubstr("a.h5: the HDF5 library does not survive"), HasSubstr("write it again")));
+  EXPECT_THAT(message([&] {
+                io_detail::require_survival(
+                    folder.file("a.h5"),
+                    [] {
+                      for (volatile int forever = 1; forever != 0;) {
+                      }
+                    },
+                    1);
+              }),
+              HasSubstr("does not survive"));
+  EXPECT_THAT(message([&] {
+                read_h5(folder.file("a.h5"), [](const H5Reader& file) { return file.scalar<double>("/y"); });
+              }),
+              HasSubstr("/y: is missing"))
+      << "a refusal is no crash";
 }
 
 }  // namespace

@@ -107,4 +107,24 @@ class H5Reader {
   std::unique_ptr<File> file_;
 };
 
+namespace io_detail {
+/// Calls `read` in a copy of this process and throws IoError if that crashes or takes more seconds of the
+/// processor. An exception of `read` is neither.
+void require_survival(const std::filesystem::path& path, const std::function<void()>& read,
+                      int most_seconds = 60);
+}  // namespace io_detail
+
+/// What `read` returns, called with a reader of the file. On some damaged files the HDF5 library crashes or
+/// never ends, so `read` is called in a process of its own before, and the file is refused (IoError) if that
+/// does not survive. \pre `read` has no effect but its result
+template <class Read>
+auto read_h5(const std::filesystem::path& path, const Read& read) {
+  const auto open_and_read = [&] {
+    const H5Reader file(path);
+    return read(file);
+  };
+  io_detail::require_survival(path, open_and_read);
+  return open_and_read();
+}
+
 }  // namespace foramen
