@@ -28,7 +28,7 @@ class MemoryStore : public StageStore {
   }
   /// The run is asked to stop once there are so many entries.
   void stop(const RunContext& run, int at) {
-    stop_ = run;
+    stop_ = run.with_store(nullptr, "");  // which is this one: they would keep each other alive
     stop_at_ = at;
   }
   int size() const { return static_cast<int>(entries_.size()); }
