@@ -13,6 +13,10 @@ std::string text_of(const ordered_json& value) {
   return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+int modes_of(const Evaluation& evaluation) {
+  return evaluation.compactness.empty() ? 0 : evaluation.compactness.back().modes;
+}
+
 std::string flips_line(const ordered_json& run, const Evaluation& evaluation) {
   int map_flips = 0, plain = 0, confirmed = 0;
   for (const ordered_json& shape : run.at("shapes"))
@@ -70,7 +74,7 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
                   " shapes used, reference " + run.at("reference").get<std::string>() + ", " +
                   std::to_string(evaluation.landmarks) + " landmarks (" +
                   run.at("landmarks_inserted").dump() + " inserted by refinement), " +
-                  std::to_string(evaluation.compactness.size()) + " modes");
+                  std::to_string(modes_of(evaluation)) + " modes");
   lines.push_back(flips_line(run, evaluation));
   lines.push_back(self_intersections_line(run, evaluation));
   lines.push_back(representation_line(evaluation));
