@@ -1,6 +1,6 @@
 #include "foramen/core/freed_memory.hpp"
 
-#include <cstdlib>
+#include <cstdlib>  // says whether the C library is glibc
 
 #ifdef __GLIBC__
 #include <malloc.h>

@@ -14,7 +14,7 @@
 
 namespace foramen::testing {
 
-/// Shapes with what lifting and judging needs; the surfaces must outlive it.
+/// Shapes with what lifting and judging needs; its locators and trees refer to its surfaces.
 struct MappedCohort {
   std::vector<MappedSurface> surfaces;
   std::vector<TorusLocator> locators;
