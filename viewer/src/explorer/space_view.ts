@@ -99,9 +99,11 @@ export class SpaceView {
     return { width: Math.max(1, this.root.clientWidth), height: Math.max(1, this.root.clientHeight) };
   }
 
+  // A new size empties the canvas, after the frame's own drawing: drawn at once, no frame is empty.
   private resize(): void {
     const { width, height } = this.size();
     this.renderer.setSize(width, height, false);
+    this.draw(this.renderer.getPixelRatio());
     this.redraw();
   }
 

@@ -130,9 +130,11 @@ export class TorusView {
     this.renderer.render(this.scene, this.camera);
   }
 
+  // At once, as in SpaceView.
   private resize(): void {
     this.drawnAt = 0;
     this.renderer.setSize(Math.max(1, this.root.clientWidth), Math.max(1, this.root.clientHeight), false);
+    this.draw(this.renderer.getPixelRatio());
     this.redraw();
   }
 

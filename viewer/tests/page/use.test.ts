@@ -198,6 +198,34 @@ describe.each(['wide', 'phone'] as const)('on a %s screen', (screen) => {
   );
 });
 
+// Watched from an observer made after those of the page, which the browser therefore calls after them: what it sees is shown.
+const watchFrames = () => {
+  const seen = { frames: 0, empty: 0 };
+  Object.assign(window, { seen });
+  const small = new OffscreenCanvas(60, 60).getContext('2d', { willReadFrequently: true })!;
+  const watch = (canvas: HTMLCanvasElement) =>
+    new ResizeObserver(() => {
+      small.clearRect(0, 0, 60, 60);
+      small.drawImage(canvas, 0, 0, 60, 60);
+      ++seen.frames;
+      if (small.getImageData(0, 0, 60, 60).data.every((value) => value === 0)) ++seen.empty;
+    }).observe(canvas.parentElement!);
+  document.querySelectorAll<HTMLCanvasElement>('.space canvas, .torus canvas').forEach(watch);
+};
+
+it('shows no empty frame while the window changes its size', () =>
+  withPage(screens.wide, async (page) => {
+    await settle(page);
+    await page.evaluate(watchFrames);
+    for (const width of [1300, 1000, 700, 1200]) {
+      await page.setViewportSize({ width, height: 800 });
+      await settle(page);
+    }
+    const seen = await page.evaluate(() => (window as unknown as { seen: { frames: number; empty: number } }).seen);
+    expect(seen.frames).toBeGreaterThanOrEqual(8);
+    expect(seen.empty).toBe(0);
+  }));
+
 it('prints what is folded away, and no controls', () =>
   withPage(screens.wide, async (page) => {
     await page.emulateMedia({ media: 'print' });
