@@ -88,11 +88,11 @@ function(foramen_discover_tests program)
   foreach(suite IN LISTS arg_WHOLE)
     list(APPEND without ${suite}.* ${suite}/*)
     add_test(NAME ${arg_PREFIX}.${suite} COMMAND ${program} "--gtest_filter=${suite}.*:${suite}/*-${arg_WITHOUT}")
-    set_tests_properties(${arg_PREFIX}.${suite} PROPERTIES TIMEOUT 900 LABELS suite COST 100
+    set_tests_properties(${arg_PREFIX}.${suite} PROPERTIES TIMEOUT ${FORAMEN_TEST_TIMEOUT} LABELS suite COST 100
                          FAIL_REGULAR_EXPRESSION "Running 0 tests")
   endforeach()
   list(JOIN without ":" without)
   gtest_discover_tests(${program} TEST_PREFIX ${arg_PREFIX}. TEST_FILTER "${arg_ONLY}-${without}"
                        TEST_LIST ${program}_${arg_LABEL} DISCOVERY_TIMEOUT 120
-                       PROPERTIES TIMEOUT 900 LABELS ${arg_LABEL} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+                       PROPERTIES TIMEOUT ${FORAMEN_TEST_TIMEOUT} LABELS ${arg_LABEL} SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
 endfunction()
