@@ -33,7 +33,8 @@ inline Outcome run_shell(const std::string& command) {
 #if !defined(__has_feature)
 #define __has_feature(feature) 0  // clang's
 #endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || __has_feature(address_sanitizer) || \
+    __has_feature(thread_sanitizer)
 inline const std::string in_three_gigabytes;
 #else
 inline const std::string in_three_gigabytes = "ulimit -v 3000000; ";
