@@ -89,28 +89,26 @@ tables() {
 }
 # picture FILE: under what was said of it.
 picture() { printf '![%s](%s)\n\n' "$(tr _ ' ' <<< "${1%.*}")" "$1"; }
-figure() { printf '## %s\n\n%s\n\n' "$1" "$2"; }
+# prose TEXT: in lines that an editor shows whole.
+prose() { fold -s -w 118 <<< "$1" | sed 's/ *$//'; echo; }
+figure() { printf '## %s\n\n' "$1"; prose "$2"; }
 
 files=(overview.png flips.png first_mode_beside.png generalization.svg specificity.svg ensemble_generalization.svg modes.png
   distances_mean.png distances_worst.png)
 page() {
-  cat <<TEXT
-# The paper's figures again
-
-Made by \`tests/figures/make_figures.sh\` (target \`figures\`) from ${#shapes[@]} vertebrae; nothing here is edited by hand. Two models of
-$landmarks landmarks are compared: \`default\` (\`foramen build\`) and \`icp\`, the closest-point baseline (\`foramen build --method icp\`), with
-$samples random shapes for specificity. Numbers are those of their metrics.json, printed by \`foramen compare\`; what each means is in
-[evaluation.md](../evaluation.md).
-
-TEXT
+  printf '# The paper'"'"'s figures again\n\n'
+  prose "The script \`tests/figures/make_figures.sh\` (target \`figures\`) makes this page and its pictures from ${#shapes[@]} \
+vertebrae. Nothing here is edited by hand."
+  prose "Two models of $landmarks landmarks are compared: \`default\` (\`foramen build\`) and \`icp\`, the closest-point \
+baseline (\`foramen build --method icp\`), with $samples random shapes for specificity. The numbers are those of their \
+metrics.json, as \`foramen compare\` prints them. [Measures](../evaluation.md) defines each of them."
   if [ "$real" = yes ]; then
-    cat <<'TEXT'
-**Licence.** The shapes are real lumbar vertebrae L1 to L3 of five patients from the VerSe data set. These pictures are adaptations of it and
-stay under [CC BY-SA 4.0](https://creativecommons.org/licenses/by-sa/4.0/): the Apache-2.0 licence of the project does not cover this folder.
-Cite: Sekuboyina et al., "VerSe: A vertebrae labelling and segmentation benchmark for multi-detector CT images", Medical Image Analysis
-73, 2021; Loeffler et al., "A vertebral segmentation dataset with fracture grading", Radiology: Artificial Intelligence, 2020.
-
-TEXT
+    prose "**Licence.** The shapes are real lumbar vertebrae L1 to L3 of five patients from the VerSe data set. These pictures \
+are adaptations of it and stay under [CC BY-SA 4.0](https://creativecommons.org/licenses/by-sa/4.0/). The Apache-2.0 licence \
+of the project does not cover this folder."
+    prose "Please cite: Sekuboyina et al., \"VerSe: A vertebrae labelling and segmentation benchmark for multi-detector CT \
+images\", Medical Image Analysis 73, 2021; Loeffler et al., \"A vertebral segmentation dataset with fracture grading\", \
+Radiology: Artificial Intelligence, 2020."
   fi
   figure "Fig. 1: overview" "$(caption overview.png)."
   picture overview.png
@@ -119,8 +117,9 @@ TEXT
   tables "Representation and flips"
   figure "Fig. 3: the first mode" "$(caption first_mode_beside.png). Each triangle is shaded flat, so that folds show."
   picture first_mode_beside.png
-  figure "Fig. 4: generalization and specificity" "Bars are standard errors of the mean. The paper's own form of generalization, the \
-distance to the closest of the random shapes, is the third chart: it gets worse with variance, and is not the figure to choose a model by."
+  figure "Fig. 4: generalization and specificity" "Bars are standard errors of the mean. The third chart is the paper's own form \
+of generalization, the distance to the closest of the random shapes. It gets worse with variance, so it is not the figure to \
+choose a model by."
   picture generalization.svg
   picture specificity.svg
   picture ensemble_generalization.svg
@@ -129,7 +128,7 @@ distance to the closest of the random shapes, is the third chart: it gets worse 
   picture modes.png
   figure "Beyond the paper: distance to the inputs" "$(caption distances_mean.png)."
   picture distances_mean.png
-  printf '%s.\n\n' "$(caption distances_worst.png)"
+  prose "$(caption distances_worst.png)."
   picture distances_worst.png
 }
 page > "$work/README.md"
