@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "foramen/core/rng.hpp"
+#include "foramen/resample/curvature_density.hpp"
 #include "foramen/resample/lift_to_surface.hpp"
 #include "foramen/resample/refine_landmarks.hpp"
 #include "foramen/resample/remesh.hpp"

@@ -1,5 +1,7 @@
 #include "build_options.hpp"
 
+#include "described_option.hpp"
+
 namespace foramen::app {
 namespace {
 
@@ -8,8 +10,7 @@ constexpr int description_rounds = 3;
 }  // namespace
 
 void BuildFlags::add_to(CLI::App& command) {
-  add_choice<Method>(command, "--method", build.method, {{"torus", Method::torus}, {"icp", Method::icp}},
-                     "torus maps, or the ICP baseline");
+  add_described(command, "--method", correspondence, "method");
   objective_option = add_choice<ObjectiveChoice>(
       command, "--objective", objective,
       {{"surface", ObjectiveChoice::surface},
@@ -17,71 +18,43 @@ void BuildFlags::add_to(CLI::App& command) {
        {"description", ObjectiveChoice::description}},
       "what draws the maps together: points of the bent mean's surface, the paper's soft neighbours, or the "
       "surface and then the description length");
-  group_options = {
-      command
-          .add_option("--rounds", build.group.round_limit,
-                      "most rounds with the mean as template; 0: the reference stays the template")
-          ->check(CLI::Range(0, 100)),
-      add_choice<DistortionMeasure>(
-          command, "--distortion", build.group.distortion,
-          {{"template", DistortionMeasure::on_template}, {"plane", DistortionMeasure::in_plane}},
-          "where distortion is measured: on the template, or in the flat torus"),
-      add_choice<Bending>(
-          command, "--bending", build.group.bending,
-          {{"cohort", Bending::cohort}, {"smooth", Bending::smooth}, {"rigid", Bending::rigid}},
-          "how the template is brought onto a shape: bent, with what the other shapes tell or each by "
-          "itself, or only aligned")};
-  command.add_option("--reference", build.reference, "name of the reference shape, or auto");
-  lambda_option =
-      command
-          .add_option("--lambda", lambda,
-                      "weight of distortion against correspondence (default: the objective's own)")
-          ->check(CLI::PositiveNumber)
-          ->default_str("");
-  auto* count =
-      command.add_option("--landmarks", build.landmarks, "number of landmarks (refinement may add 5 %)")
-          ->check(CLI::Range(50, 200000));
-  command
-      .add_option("--target-error", build.target_error_mm,
-                  "as few landmarks as represent the shapes this well [mm]")
-      ->check(CLI::PositiveNumber)
-      ->excludes(count);
-  command
-      .add_option("--samples", evaluation.draws, "random shapes for specificity, and for their own quality")
-      ->check(CLI::Range(1, 1000000));
-  command.add_option("--seed", build.seed, "seed of all random numbers");
-  add_choice<ScaleMode>(command, "--scale", build.scale,
-                        {{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
-                        "keep or remove the shapes' size");
-  add_choice<LandmarkWeights>(command, "--weights", build.weights,
-                              {{"equal", LandmarkWeights::equal}, {"area", LandmarkWeights::area}},
-                              "what landmarks count for: all alike, or by their area");
+  group_options = {add_described(command, "--rounds", correspondence, "group.rounds"),
+                   add_described(command, "--distortion", correspondence, "group.distortion"),
+                   add_described(command, "--bending", correspondence, "group.bending")};
+  add_described(command, "--reference", correspondence, "reference");
+  lambda_option = add_described(command, "--lambda", overrides, "lambda")->default_str("the objective's own");
+  CLI::Option* count = add_described(command, "--landmarks", landmarks, "landmarks");
+  add_described(command, "--target-error", landmarks, "target_error")->excludes(count);
+  add_described(command, "--samples", evaluation, "draws");
+  add_described(command, "--seed", evaluation, "seed");
+  add_described(command, "--scale", evaluation, "scale");
+  add_described(command, "--weights", evaluation, "landmark_weights");
   command.add_option("--subject-regex", subject_pattern,
                      "the part of a file name that names its subject (first group, or all)");
   command.add_flag("--paper", paper, "the paper's own choices throughout");
-  map_option = add_choice<InitialMap>(command, "--initial-map", initial_map,
-                                      {{"torus", InitialMap::torus}, {"rectangle", InitialMap::rectangle}},
-                                      "first map of a shape");
-  optimiser_option =
-      add_choice<Optimiser>(command, "--optimiser", optimiser,
-                            {{"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}},
-                            "projected Newton, or the paper's node-wise descent");
+  map_option = add_described(command, "--initial-map", overrides, "initial_map");
+  optimiser_option = add_described(command, "--optimiser", overrides, "optimiser");
 }
 
 BuildOptions BuildFlags::resolved() const {
-  BuildOptions options = build;
+  BuildOptions options{correspondence, landmarks, {evaluation.scale, evaluation.weights}};
+  options.landmarks.scale = evaluation.scale;
+  options.landmarks.seed = evaluation.seed;
+  CorrespondOptions& how = options.correspondence;
   if (paper) {
-    options.registration = paper_options();
-    options.objective = Objective::neighbours;
+    how.registration = paper_options();
+    how.objective = Objective::neighbours;
   }
   if (objective_option->count() > 0) {
-    options.objective = objective == ObjectiveChoice::neighbours ? Objective::neighbours : Objective::surface;
-    if (objective == ObjectiveChoice::description) options.group.description_rounds = description_rounds;
+    how.objective = objective == ObjectiveChoice::neighbours ? Objective::neighbours : Objective::surface;
+    if (objective == ObjectiveChoice::description) how.group.description_rounds = description_rounds;
   }
-  if (lambda_option->count() > 0) options.registration.lambda = options.group.lambda = lambda;
-  if (map_option->count() > 0) options.registration.initial_map = options.group.initial_map = initial_map;
-  if (optimiser_option->count() > 0) options.registration.optimiser = optimiser;
-  if (!registered_together(options))
+  // The two weights have different units, so only that of the objective in use is meant.
+  if (lambda_option->count() > 0)
+    (registered_together(how) ? how.group.lambda : how.registration.lambda) = overrides.lambda;
+  if (map_option->count() > 0) how.registration.initial_map = how.group.initial_map = overrides.initial_map;
+  if (optimiser_option->count() > 0) how.registration.optimiser = overrides.optimiser;
+  if (!registered_together(how))
     for (const CLI::Option* option : group_options)
       if (option->count() > 0)
         throw CLI::ValidationError(

@@ -21,13 +21,12 @@ namespace foramen::app {
 enum class ObjectiveChoice { surface, neighbours, description };
 
 struct BuildFlags {
-  BuildOptions build;
-  EvaluationOptions evaluation;
+  CorrespondOptions correspondence;
+  PlaceLandmarksOptions landmarks;
+  EvaluationOptions evaluation;  ///< its scale, weights and seed are those of all stages
   std::string subject_pattern;
   bool paper = false;
-  double lambda = 0;
-  InitialMap initial_map = InitialMap::torus;
-  Optimiser optimiser = Optimiser::newton;
+  RegisterOptions overrides;  ///< what --lambda, --initial-map and --optimiser say
   ObjectiveChoice objective = ObjectiveChoice::surface;
   CLI::Option *objective_option = nullptr, *lambda_option = nullptr, *map_option = nullptr,
               *optimiser_option = nullptr;

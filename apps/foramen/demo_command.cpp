@@ -46,7 +46,7 @@ void add_demo(CLI::App& program, Run& run) {
   command->add_option("-o,--output", options->output, "folder to write")->capture_default_str();
   add_console_options(*command, options->console);
   command->callback([options, &run] {
-    options->synth.seed = options->flags.build.seed;
+    options->synth.seed = options->flags.evaluation.seed;
     options->build = options->flags.resolved();
     run = [options] { return demo(*options); };
   });

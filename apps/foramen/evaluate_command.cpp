@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "command.hpp"
+#include "described_option.hpp"
 #include "foramen/pipeline/evaluate_folder.hpp"
 
 namespace foramen::app {
@@ -41,19 +42,12 @@ void add_evaluate(CLI::App& program, Run& run) {
   command->add_option("--true-landmarks", request.true_landmarks,
                       "folder to write the same landmarks in true correspondence to (needs --truth)");
   command->add_option("-o,--output", request.output, "folder for metrics.json and metrics.csv");
-  command
-      ->add_option("--samples", request.options.draws,
-                   "random shapes for specificity, and for their own quality")
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", request.options.seed, "seed of all random numbers");
+  add_described(*command, "--samples", request.options, "draws");
+  add_described(*command, "--seed", request.options, "seed");
   command->add_option("--subject-regex", request.subject_pattern,
                       "the part of a file name that names its subject");
-  add_choice<ScaleMode>(*command, "--scale", request.options.scale,
-                        {{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
-                        "keep or remove the shapes' size");
-  add_choice<LandmarkWeights>(*command, "--weights", request.options.weights,
-                              {{"equal", LandmarkWeights::equal}, {"area", LandmarkWeights::area}},
-                              "what landmarks count for: all alike, or by their area");
+  add_described(*command, "--scale", request.options, "scale");
+  add_described(*command, "--weights", request.options, "landmark_weights");
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return evaluate(*options); }; });
 }

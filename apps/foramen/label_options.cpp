@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "described_option.hpp"
 #include "foramen/core/error.hpp"
 
 namespace foramen::app {
@@ -19,8 +20,7 @@ void LabelFlags::add_to(CLI::App& command) {
           .add_option("--label-names", names_file_,
                       "CSV file with the columns label and name: what the labels stand for")
           ->excludes(numbering),
-      command.add_flag("--keep-cut", keep_cut_,
-                       "also take labels that reach the border of the label map, closed flat there")};
+      add_described(command, "--keep-cut", surface_, "keep_cut")};
 }
 
 std::optional<LabelRequest> LabelFlags::resolved() const {
@@ -28,7 +28,7 @@ std::optional<LabelRequest> LabelFlags::resolved() const {
     return std::nullopt;
   LabelRequest request;
   request.names = names_file_.empty() ? label_names(numbering_) : read_label_names(names_file_);
-  request.surface.keep_cut = keep_cut_;
+  request.surface = surface_;
   if (options_.front()->count() > 0) {
     try {
       request.labels = LabelSelection::parse(labels_);

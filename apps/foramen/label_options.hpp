@@ -21,7 +21,7 @@ class LabelFlags {
  private:
   std::string labels_, names_file_;
   LabelNumbering numbering_ = LabelNumbering::verse;
-  bool keep_cut_ = false;
+  ExtractOptions surface_;
   std::vector<CLI::Option*> options_;
 };
 

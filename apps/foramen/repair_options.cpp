@@ -1,5 +1,7 @@
 #include "repair_options.hpp"
 
+#include "described_option.hpp"
+
 namespace foramen::app {
 
 void add_unit_option(CLI::App& command, LengthUnit& unit) {
@@ -12,18 +14,8 @@ void add_unit_option(CLI::App& command, LengthUnit& unit) {
 }
 
 std::vector<CLI::Option*> add_repair_options(CLI::App& command, RepairOptions& options) {
-  CLI::Option* handles =
-      command
-          .add_option("--handle-limit", options.handles.noise_mm,
-                      "an extra handle is noise if both its loops are at most this long [mm]")
-          ->check(CLI::PositiveNumber)
-          ->capture_default_str();
-  CLI::Option* holes = command
-                           .add_option("--hole-limit", options.hole_perimeter_mm,
-                                       "a hole is filled if its border is at most this long [mm]")
-                           ->check(CLI::PositiveNumber)
-                           ->capture_default_str();
-  return {handles, holes};
+  return {add_described(command, "--handle-limit", options, "handle_limit"),
+          add_described(command, "--hole-limit", options, "hole_limit")};
 }
 
 }  // namespace foramen::app

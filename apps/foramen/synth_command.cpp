@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "command.hpp"
+#include "described_option.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/synth/synth_cohort.hpp"
 #include "shape_options.hpp"
@@ -28,16 +29,12 @@ int synth(const SynthCommand& command) {
 }  // namespace
 
 void add_synth_options(CLI::App& command, SynthOptions& options) {
-  command.add_option("-n,--shapes", options.shapes, "number of shapes")->check(CLI::Range(1, 100000));
-  command.add_option("--seed", options.seed, "seed of all random numbers");
-  command.add_option("--modes", options.modes, "true modes of variation; 0: every shape its own deformation")
-      ->check(CLI::Range(0, 1000));
-  command.add_option("--amplitude", options.amplitude_mm, "RMS displacement of a coordinate [mm]")
-      ->check(CLI::Range(0.0, 20.0));
-  command.add_option("--correlation", options.correlation_mm, "correlation length of the displacement [mm]")
-      ->check(CLI::Range(5.0, 500.0));
-  command.add_option("--vertices", options.vertices, "vertices of a shape, about")
-      ->check(CLI::Range(1500, 1000000));
+  add_described(command, "-n,--shapes", options, "shapes");
+  add_described(command, "--seed", options, "seed");
+  add_described(command, "--modes", options, "modes");
+  add_described(command, "--amplitude", options, "amplitude");
+  add_described(command, "--correlation", options, "correlation");
+  add_described(command, "--vertices", options, "vertices");
 }
 
 std::string synth_name(int index) {

@@ -15,9 +15,7 @@ SurfaceTargets::SurfaceTargets(const Mesh& shape, const TemplateSurface& surface
                                const VertexMap<Mat2>& tensors, std::vector<Vec3> bent,
                                const SurfaceTargetsOptions& options)
     : reducer_(surface.map.lattice), targets_(static_cast<std::size_t>(shape.vertex_count())) {
-  if (!(options.reach_mm > 0))
-    throw InvalidInput("SurfaceTargets: reach_mm is " + std::to_string(options.reach_mm) +
-                       "; it must be > 0");
+  check_options("SurfaceTargets", options);
   const TriangleTree tree(surface.mesh.with_positions(std::move(bent)));
   const VertexMap<Vec3> normals = vertex_normals(shape);
   for (VertexId v : shape.vertices()) {

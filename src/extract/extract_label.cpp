@@ -126,9 +126,7 @@ std::map<int, LabelExtent> find_labels(const LabelMap& map) {
 
 ExtractedSurface extract_label(const LabelMap& map, int label, const LabelExtent& extent,
                                const ExtractOptions& options) {
-  constexpr double largest_bound = 0.5;
-  if (options.smoothing_rounds < 0 || !(options.bound_voxels > 0 && options.bound_voxels <= largest_bound))
-    throw InvalidInput("smoothing needs at least 0 rounds and a bound above 0 and up to 0.5 voxels");
+  check_options("extract_label", options);
   if (extent.voxels <= 0) throw InvalidInput("the label map has no label " + std::to_string(label));
   const Reading reading = best_reading(extract::binary_volume(map, label, extent), options.keep_cut);
   const BinaryVolume& volume = reading.volume;

@@ -21,8 +21,7 @@ void check(const Mesh& surface, const Eigen::MatrixXd& functions,
     if (static_cast<int>(points.size()) != surface.vertex_count())
       refuse("a shape has " + std::to_string(points.size()) + " points for " +
              std::to_string(surface.vertex_count()) + " vertices");
-  if (!(options.noise_mm > 0 && options.independent_area_mm2 > 0)) refuse("noise and area must be > 0");
-  if (!(options.least_share > 0 && options.least_share <= 1)) refuse("least_share must be in (0, 1]");
+  check_options("cohort_priors", options);
 }
 
 // A column of 3 R coefficients per shape: ridge regression of its displacements.

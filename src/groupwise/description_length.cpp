@@ -21,7 +21,7 @@ void check(const std::vector<std::vector<Vec3>>& aligned, std::span<const double
              " weights");
   for (const double w : weights)
     if (!(w > 0)) refuse("weights must be > 0");
-  if (!(options.cut_mm2 > 0)) refuse("cut_mm2 must be > 0");
+  check_options("description_length", options);
 }
 
 // Deviations from the mean times the square roots of the weights, a column per shape.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "foramen/core/parallel.hpp"
+#include "foramen/resample/curvature_density.hpp"
 #include "foramen/resample/remesh.hpp"
 #include "foramen/resample/torus_grid.hpp"
 
@@ -10,8 +11,7 @@ namespace foramen {
 
 TemplateSurface remeshed_template(const Mesh& surface, const TorusMap& map, int vertices,
                                   const RunContext& ctx) {
-  const RemeshOptions options{.landmarks = vertices};
-  LandmarkMesh landmarks = remesh(surface, map, curvature_density(surface, options), ctx, options);
+  LandmarkMesh landmarks = remesh(surface, map, curvature_density(surface), ctx, {.landmarks = vertices});
   const TorusLocator locator(surface, map);
   TemplateSurface result;
   result.mesh = build_mesh({lift_to_surface(locator, landmarks.turns), std::move(landmarks.triangles)});

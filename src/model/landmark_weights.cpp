@@ -7,8 +7,6 @@
 
 namespace foramen {
 
-std::string_view name(LandmarkWeights kind) { return kind == LandmarkWeights::equal ? "equal" : "area"; }
-
 std::vector<double> landmark_weights(const std::vector<std::vector<Vec3>>& shapes,
                                      const std::vector<std::array<int, 3>>& triangles, ScaleMode scale,
                                      LandmarkWeights kind) {

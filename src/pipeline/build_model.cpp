@@ -68,8 +68,8 @@ std::vector<int> reference_candidates(const std::vector<InputShape>& shapes, con
 
 // Maps the first candidate that can be mapped, and returns which. A surface that is usable as such may be too
 // ragged for a map, and the cohort must not fail for it.
-int map_first_reference(ModelBuild& build, const std::vector<InputShape>& shapes, const BuildOptions& options,
-                        const RunContext& ctx) {
+int map_first_reference(ModelBuild& build, const std::vector<InputShape>& shapes,
+                        const CorrespondOptions& options, const RunContext& ctx) {
   const auto candidates = reference_candidates(shapes, options.reference);
   for (std::size_t c = 0;; ++c) {
     const InputShape& shape = shapes[static_cast<std::size_t>(candidates[c])];
@@ -108,7 +108,7 @@ struct Registrations {
 };
 
 Registrations register_each(const ModelBuild& build, std::vector<InputShape> inputs, int reference,
-                            const BuildOptions& options, const RunContext& ctx) {
+                            const CorrespondOptions& options, const RunContext& ctx) {
   std::vector<ShapeOutcome> outcomes(inputs.size());
   std::vector<std::string> failures(inputs.size());
   // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
@@ -142,7 +142,7 @@ Registrations register_each(const ModelBuild& build, std::vector<InputShape> inp
 }
 
 Registrations register_together(ModelBuild& build, std::vector<InputShape> inputs, int reference,
-                                const BuildOptions& options, const RunContext& ctx) {
+                                const CorrespondOptions& options, const RunContext& ctx) {
   std::vector<Mesh> meshes;
   for (const InputShape& input : inputs) meshes.push_back(input.mesh);
   GroupRegistration group = register_group(meshes, build.reference_map, reference, ctx, options.group);
@@ -164,7 +164,7 @@ Registrations register_together(ModelBuild& build, std::vector<InputShape> input
 
 // Registers every shape; those that fail are moved to the ones left out.
 void register_all(ModelBuild& build, std::vector<InputShape> inputs, int reference,
-                  const BuildOptions& options, const RunContext& ctx) {
+                  const CorrespondOptions& options, const RunContext& ctx) {
   auto [outcomes, failures] =
       (registered_together(options) ? register_together(build, std::move(inputs), reference, options, ctx)
                                     : register_each(build, std::move(inputs), reference, options, ctx));
@@ -196,7 +196,7 @@ std::vector<std::vector<Vec3>> corresponding_shapes(const ModelBuild& build) {
 
 }  // namespace
 
-bool registered_together(const BuildOptions& options) {
+bool registered_together(const CorrespondOptions& options) {
   return options.method == Method::torus && options.objective == Objective::surface;
 }
 
@@ -224,22 +224,24 @@ ModelBuild build_model(Cohort cohort, const BuildOptions& options, const RunCont
   int reference = 0;
   timed(build, "reference", [&] {
     ctx.step("reference", 0);
-    reference = map_first_reference(build, cohort.shapes, options, ctx);
+    reference = map_first_reference(build, cohort.shapes, options.correspondence, ctx);
   });
-  timed(build, "register", [&] { register_all(build, std::move(cohort.shapes), reference, options, ctx); });
+  timed(build, "register",
+        [&] { register_all(build, std::move(cohort.shapes), reference, options.correspondence, ctx); });
   timed(build, "resample", [&] {
     ctx.step("resample", 0);
-    if (options.method == Method::torus)
-      place_landmarks(build, options, ctx);
+    if (options.correspondence.method == Method::torus)
+      place_landmarks(build, options.landmarks, ctx);
     else
-      place_landmarks_by_icp(build, options, ctx);
+      place_landmarks_by_icp(build, options.landmarks, ctx);
   });
   timed(build, "model", [&] {
     ctx.step("model", 0);
     const auto shapes = corresponding_shapes(build);
     const auto& triangles = build.landmarks.triangles;
-    std::vector<double> weights = landmark_weights(shapes, triangles, options.scale, options.weights);
-    build.procrustes = procrustes(shapes, options.scale, weights);
+    std::vector<double> weights =
+        landmark_weights(shapes, triangles, options.model.scale, options.model.weights);
+    build.procrustes = procrustes(shapes, options.model.scale, weights);
     build.model = build_shape_model(build.procrustes.aligned, triangles, std::move(weights));
     if (std::sqrt(build.model.variance().sum() / build.model.total_weight()) < least_variation_mm)
       throw InvalidInput(

@@ -66,7 +66,7 @@ ReportTable single_figures(const std::vector<NamedEvaluation>& models) {
   return figures(
       "Representation and flips", "per shape", models,
       {{"landmarks", [](const Evaluation& e) { return std::to_string(e.landmarks); }},
-       {"weights", [](const Evaluation& e) { return std::string(name(e.options.weights)); }},
+       {"weights", [](const Evaluation& e) { return std::string(word_of(e.options.weights)); }},
        {"mean", [](const Evaluation& e) { return fixed(e.representation.mean_surface, 3); }},
        {"p95", [](const Evaluation& e) { return fixed(e.representation.p95, 3); }},
        {"Hausd.", [](const Evaluation& e) { return fixed(e.representation.hausdorff, 2); }},

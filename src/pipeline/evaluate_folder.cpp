@@ -38,7 +38,7 @@ void write_true_landmarks(const fs::path& target, const CorrespondingCohort& coh
 
 std::string summary(const Evaluation& e) {
   std::string text = std::to_string(e.names.size()) + " shapes, " + std::to_string(e.landmarks) +
-                     " landmarks (weights: " + std::string(name(e.options.weights)) + ")\n";
+                     " landmarks (weights: " + std::string(word_of(e.options.weights)) + ")\n";
   const Representation& r = e.representation;
   text += "representation error: mean " + fixed(r.mean_surface, 3) + ", p95 " + fixed(r.p95, 3) +
           ", Hausdorff " + fixed(r.hausdorff, 2) + " mm\nflipped triangles a shape: plain " +

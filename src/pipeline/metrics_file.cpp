@@ -8,6 +8,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "pipeline/metrics_rows.hpp"
+#include "pipeline/options_json.hpp"
 
 namespace foramen {
 namespace {
@@ -45,23 +46,10 @@ ordered_json to_json(const ErrorSummary& e) { return {{"mean", e.mean}, {"p95", 
 
 ErrorSummary summary_from(const ordered_json& j) { return {j.at("mean"), j.at("p95"), j.at("max")}; }
 
-ordered_json options_json(const EvaluationOptions& o) {
-  return {{"scale", o.scale == ScaleMode::keep ? "keep" : "remove"},
-          {"landmark_weights", name(o.weights)},
-          {"draws", o.draws},
-          {"surface_samples", o.samples},
-          {"specificity_surface_samples", o.specificity_samples},
-          {"seed", o.seed}};
-}
-
 EvaluationOptions options_from(const ordered_json& j) {
-  return {.scale = j.at("scale") == "keep" ? ScaleMode::keep : ScaleMode::remove,
-          .weights = j.at("landmark_weights") == name(LandmarkWeights::area) ? LandmarkWeights::area
-                                                                             : LandmarkWeights::equal,
-          .draws = j.at("draws"),
-          .samples = j.at("surface_samples"),
-          .specificity_samples = j.at("specificity_surface_samples"),
-          .seed = j.at("seed")};
+  EvaluationOptions options;
+  set_options(options, j);
+  return options;
 }
 
 const char* weights_definition(LandmarkWeights weights) {
@@ -263,7 +251,7 @@ std::string metrics_json(const Evaluation& e) {
       {"subjects", e.subjects},
       {"landmarks", e.landmarks},
       {"total_variance_mm2", e.total_variance},
-      {"options", options_json(e.options)},
+      {"options", described_json(e.options)},
       {"landmark_weights_definition", weights_definition(e.options.weights)},
       {"representation", representation_json(e)},
       {"compactness", compactness_json(e)},

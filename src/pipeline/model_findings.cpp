@@ -88,7 +88,7 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
                     fixed(s->hausdorff, 2) + " mm, mean surface " + fixed(s->mean_surface, 3) + " mm");
   lines.push_back(drawn_shapes_line(evaluation.drawn));
   lines.push_back("total variance: " + fixed(evaluation.total_variance, 2) +
-                  " mm² a landmark (landmark weights: " + std::string(name(evaluation.options.weights)) +
+                  " mm² a landmark (landmark weights: " + std::string(word_of(evaluation.options.weights)) +
                   ")");
   if (evaluation.truth)
     lines.push_back("truth error: mean " + fixed(evaluation.truth->error.mean, 2) + " mm, p95 " +

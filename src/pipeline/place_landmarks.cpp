@@ -66,35 +66,34 @@ struct DenseMean {
 };
 
 DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lattice,
-                     const BuildOptions& options, const RunContext& ctx) {
+                     const PlaceLandmarksOptions& options, const RunContext& ctx) {
   DenseMean mean;
-  mean.grid = make_torus_grid(lattice, options.grid_points);
+  mean.grid = make_torus_grid(lattice, options.spread.grid_points);
   const TorusGrid& grid = mean.grid;
   mean.mesh =
       build_mesh({procrustes(lifted_to_all(shapes, grid.turns, ctx), options.scale).mean, grid.triangles});
   mean.map = {lattice, VertexMap<Vec2>(grid.turns), grid.jumps};
-  mean.density = curvature_density(mean.mesh, options.remeshing);
+  mean.density = curvature_density(mean.mesh, options.spread.density);
   return mean;
 }
 
 // Where the landmarks miss a shape the next ones are denser.
 VertexMap<double> density_after(const LandmarkMesh& landmarks, const VertexMap<double>& density,
                                 const DenseMean& mean, const std::vector<LiftingShape>& shapes,
-                                const BuildOptions& options, const RunContext& ctx) {
+                                const PlaceLandmarksOptions& options, const RunContext& ctx) {
   auto lifted = lifted_to_all(shapes, landmarks.turns, ctx);
   std::vector<RepresentedShape> represented;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     represented.push_back({&shapes[i].locator->mesh(), &shapes[i].turns, std::move(lifted[i])});
-  return raised_by_error(density, mean.grid, represented, landmarks.triangles, ctx, options.errors);
+  return raised_by_error(density, mean.grid, represented, landmarks.triangles, ctx, options.spread.errors);
 }
 
 RefinedLandmarks landmarks_on(const DenseMean& mean, const std::vector<LiftingShape>& shapes, int count,
-                              const BuildOptions& options, const RunContext& ctx) {
-  RemeshOptions remeshing = options.remeshing;
-  remeshing.landmarks = count;
+                              const PlaceLandmarksOptions& options, const RunContext& ctx) {
+  const RemeshOptions remeshing{.landmarks = count, .relaxation_rounds = options.spread.relaxation_rounds};
   VertexMap<double> density = mean.density;
   LandmarkMesh landmarks = remesh(mean.mesh, mean.map, density, ctx, remeshing);
-  for (int k = 0; k < options.density_updates; ++k) {
+  for (int k = 0; k < options.spread.density_updates; ++k) {
     density = density_after(landmarks, density, mean, shapes, options, ctx);
     landmarks = remesh(mean.mesh, mean.map, density, ctx, remeshing);
   }
@@ -104,7 +103,7 @@ RefinedLandmarks landmarks_on(const DenseMean& mean, const std::vector<LiftingSh
 }
 
 double mean_representation_error(const LandmarkMesh& landmarks, const std::vector<LiftingShape>& shapes,
-                                 const BuildOptions& options, const RunContext& ctx) {
+                                 const PlaceLandmarksOptions& options, const RunContext& ctx) {
   std::vector<double> errors(shapes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
     const LiftingShape& shape = shapes[static_cast<std::size_t>(i)];
@@ -120,7 +119,7 @@ double mean_representation_error(const LandmarkMesh& landmarks, const std::vecto
 
 // As few landmarks as reach the error, up to one step of growth.
 RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<LiftingShape>& shapes,
-                                     const BuildOptions& options, const RunContext& ctx) {
+                                     const PlaceLandmarksOptions& options, const RunContext& ctx) {
   for (int count = first_landmarks; count <= most_landmarks;
        count = static_cast<int>(landmark_growth * count)) {
     ctx.check();
@@ -135,14 +134,14 @@ RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<Li
 
 }  // namespace
 
-void place_landmarks(ModelBuild& build, const BuildOptions& options, const RunContext& ctx) {
+void place_landmarks(ModelBuild& build, const PlaceLandmarksOptions& options, const RunContext& ctx) {
   auto shapes = lifting_shapes(build, ctx);
   const DenseMean mean = dense_mean(shapes, build.reference_map.shape_map.map.lattice, options, ctx);
   plant_trees(shapes, ctx);
   ctx.step("resample", 0.3);
   RefinedLandmarks refined = options.target_error_mm
                                  ? landmarks_for_error(mean, shapes, options, ctx)
-                                 : landmarks_on(mean, shapes, options.landmarks, options, ctx);
+                                 : landmarks_on(mean, shapes, options.count, options, ctx);
   ctx.step("resample", 0.9);
   build.landmarks = std::move(refined.landmarks);
   build.inserted_landmarks = refined.inserted;
@@ -154,12 +153,12 @@ void place_landmarks(ModelBuild& build, const BuildOptions& options, const RunCo
     build.shapes[i].landmarks = std::move(lifted_landmarks[i]);
 }
 
-void place_landmarks_by_icp(ModelBuild& build, const BuildOptions& options, const RunContext& ctx) {
+void place_landmarks_by_icp(ModelBuild& build, const PlaceLandmarksOptions& options, const RunContext& ctx) {
   const Mesh& reference = build.reference_map.mesh();
   const TorusMap& map = build.reference_map.shape_map.map;
-  RemeshOptions remeshing = options.remeshing;
-  remeshing.landmarks = options.landmarks;
-  build.landmarks = remesh(reference, map, curvature_density(reference, remeshing), ctx, remeshing);
+  build.landmarks =
+      remesh(reference, map, curvature_density(reference, options.spread.density), ctx,
+             {.landmarks = options.count, .relaxation_rounds = options.spread.relaxation_rounds});
 
   const TorusLocator locator(reference, map);
   std::vector<Vec3> landmarks;

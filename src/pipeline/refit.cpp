@@ -167,19 +167,20 @@ ModelBuild build_without(const ModelBuild& build, const std::vector<int>& left_o
     const InputShape& input = build.shapes[static_cast<std::size_t>(i)].input;
     if (!contains(left_out, i))
       others.shapes.push_back(input);
-    else if (input.stem == options.reference)
-      others_options.reference = "auto";
+    else if (input.stem == options.correspondence.reference)
+      others_options.correspondence.reference = "auto";
   }
   return build_model(std::move(others), others_options, ctx);
 }
 
 std::vector<Vec3> landmarks_on_unseen(const Mesh& shape, const ModelBuild& build, const BuildOptions& options,
                                       const RunContext& ctx) {
-  if (options.method == Method::icp) return landmarks_by_icp(shape, build, ctx);
+  const CorrespondOptions& how = options.correspondence;
+  if (how.method == Method::icp) return landmarks_by_icp(shape, build, ctx);
   const RegisteredShape registered =
-      options.objective == Objective::surface
-          ? register_to_group(shape, build.reference_map, build.group_template, ctx, options.group)
-          : register_shape(shape, build.reference_map, ctx, options.registration);
+      how.objective == Objective::surface
+          ? register_to_group(shape, build.reference_map, build.group_template, ctx, how.group)
+          : register_shape(shape, build.reference_map, ctx, how.registration);
   return lift_to_surface(TorusLocator(shape, registered.shape_map.map), build.landmarks.turns);
 }
 

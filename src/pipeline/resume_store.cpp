@@ -8,7 +8,6 @@
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/sha256.hpp"
 #include "foramen/pipeline/version.hpp"
-#include "pipeline/run_json.hpp"
 
 namespace foramen {
 namespace {
@@ -80,7 +79,7 @@ void ResumeStore::remove() {
 
 std::string stage_scope(const std::vector<InputShape>& shapes, const BuildOptions& options) {
   Sha256 content;
-  content.update(program_identity()).update(options_json(options).dump());
+  content.update(program_identity()).update(option_bytes(options));
   for (const InputShape& shape : shapes) content.update(to_bytes(shape.stem)).update(to_bytes(shape.mesh));
   return content.hex();
 }

@@ -91,10 +91,10 @@ std::vector<NamedErrorMap> error_maps_of(const Evaluation& evaluation) {
 void add_refits(Evaluation& evaluation, const ModelBuild& build, const BuildOptions& options,
                 const RunContext& ctx) {
   const auto start = std::chrono::steady_clock::now();
-  GeneralizationOptions measure{.scale = options.scale,
-                                .weights = options.weights,
+  GeneralizationOptions measure{.scale = options.model.scale,
+                                .weights = options.model.weights,
                                 .samples = evaluation.options.samples,
-                                .seed = options.seed};
+                                .seed = options.landmarks.seed};
   evaluation.refit = refit_generalization(build, {}, options, measure, ctx);
   if (!evaluation.subjects.empty()) {
     measure.leave_out = LeaveOut::subject;
@@ -164,9 +164,9 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
 
   const CorrespondingCohort cohort = corresponding_cohort(build, request.subject_pattern);
   EvaluationOptions evaluation_options = request.evaluation;
-  evaluation_options.scale = request.build.scale;
-  evaluation_options.weights = request.build.weights;
-  evaluation_options.seed = request.build.seed;
+  evaluation_options.scale = request.build.model.scale;
+  evaluation_options.weights = request.build.model.weights;
+  evaluation_options.seed = request.build.landmarks.seed;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
   Evaluation evaluation = evaluate_model(

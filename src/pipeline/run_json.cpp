@@ -6,6 +6,7 @@
 
 #include "foramen/pipeline/repair_record.hpp"
 #include "foramen/pipeline/version.hpp"
+#include "pipeline/options_json.hpp"
 
 namespace foramen {
 namespace {
@@ -79,80 +80,14 @@ ordered_json inputs_json(const ModelBuild& build) {
   return inputs;
 }
 
-ordered_json deform_json(const DeformTemplateOptions& o) {
-  return {{"noise_mm", o.noise_mm},
-          {"iterations", o.iterations},
-          {"samples", o.samples},
-          {"normal_weight_mm", o.normal_weight},
-          {"tangential_share", o.tangential_share},
-          {"independent_area_mm2", o.independent_area_mm2},
-          {"rejection_medians", o.rejection},
-          {"least_median_mm", o.least_median_mm}};
-}
-
-ordered_json scales_json(const SmoothDisplacementOptions& o) {
-  ordered_json scales = ordered_json::array();
-  for (const DisplacementScale& s : o.scales)
-    scales.push_back({{"length_mm", s.length_mm}, {"amplitude_mm", s.amplitude_mm}});
-  return scales;
-}
-
-// How shapes are registered with each other.
-ordered_json options_json(const RegisterGroupOptions& g) {
-  return {{"lambda_mm2", g.lambda},
-          {"initial_map", g.initial_map == InitialMap::torus ? "torus" : "rectangle"},
-          {"edge_cost", g.edge_cost == EdgeCost::paper ? "paper" : "length_weighted"},
-          {"distortion", g.distortion == DistortionMeasure::on_template ? "template" : "plane"},
-          {"bending", g.bending == Bending::cohort   ? "cohort"
-                      : g.bending == Bending::smooth ? "smooth"
-                                                     : "rigid"},
-          {"rounds", g.round_limit},
-          {"still_mm", g.still_mm},
-          {"metric_updates", g.metric_updates},
-          {"description_rounds", g.description_rounds},
-          {"description_cut_mm2", g.description.cut_mm2},
-          {"template_vertices", g.mean.vertices},
-          {"template_grid_points", g.mean.grid_points},
-          {"displacement_scales", scales_json(g.displacements)},
-          {"displacement_shift_mm", g.displacements.shift_mm},
-          {"displacement_linear_mm", g.displacements.linear_mm},
-          {"displacement_left_out_mm", g.displacements.left_out_mm},
-          {"displacement_functions_limit", g.displacements.most_functions},
-          {"cohort_noise_mm", g.cohort.noise_mm},
-          {"cohort_independent_area_mm2", g.cohort.independent_area_mm2},
-          {"cohort_least_share", g.cohort.least_share},
-          {"bending_first", deform_json(g.first)},
-          {"bending_again", deform_json(g.again)},
-          {"targets_reach_mm", g.targets.reach_mm},
-          {"targets_min_normal_cosine", g.targets.min_normal_cosine},
-          {"working_vertices", g.working_vertices},
-          {"relative_tolerance", g.relative_tolerance},
-          {"iteration_limit", g.iteration_limit}};
-}
-
-// The same of each shape with the reference, and of the reference itself.
-ordered_json options_json(const RegisterOptions& r) {
-  return {{"lambda", r.lambda},
-          {"weighting", r.weighting == Weighting::area ? "area" : "each"},
-          {"initial_map", r.initial_map == InitialMap::torus ? "torus" : "rectangle"},
-          {"optimiser", r.optimiser == Optimiser::newton ? "newton" : "polak-ribiere"},
-          {"edge_cost", r.edge_cost == EdgeCost::paper ? "paper" : "length_weighted"},
-          {"neighbours", r.neighbours.count},
-          {"neighbour_search", r.neighbours.search == NeighbourSearch::points ? "points" : "oriented_points"},
-          {"neighbour_weights", r.neighbours.weights == NeighbourWeights::absolute ? "absolute" : "relative"},
-          {"working_vertices", r.working_vertices},
-          {"relative_tolerance", r.relative_tolerance},
-          {"iteration_limit", r.iteration_limit}};
-}
-
 // Null: the method has none.
-ordered_json objective_json(const BuildOptions& options) {
+ordered_json objective_json(const CorrespondOptions& options) {
   if (options.method == Method::icp) return nullptr;
-  if (options.objective == Objective::neighbours) return "neighbours";
-  return options.group.description_rounds > 0 ? "description" : "surface";
+  if (options.objective == Objective::surface && options.group.description_rounds > 0) return "description";
+  return word_of(options.objective);
 }
 
-ordered_json lambda_json(const BuildOptions& options) {
+ordered_json lambda_json(const CorrespondOptions& options) {
   if (options.method == Method::icp) return nullptr;
   return registered_together(options) ? options.group.lambda : options.registration.lambda;
 }
@@ -176,10 +111,9 @@ ordered_json extraction_json(const ExtractionReport& r) {
 }
 
 ordered_json label_options_json(const LabelRequest& request) {
-  return {{"labels", request.labels ? ordered_json(request.labels->text()) : ordered_json()},
-          {"keep_cut", request.surface.keep_cut},
-          {"smoothing_rounds", request.surface.smoothing_rounds},
-          {"bound_voxels", request.surface.bound_voxels}};
+  ordered_json out = {{"labels", request.labels ? ordered_json(request.labels->text()) : ordered_json()}};
+  out.update(described_json(request.surface));
+  return out;
 }
 
 double peak_memory_mb() {
@@ -189,34 +123,21 @@ double peak_memory_mb() {
 }
 
 ordered_json options_json(const BuildOptions& options) {
-  ordered_json out = {
-      {"method", options.method == Method::torus ? "torus" : "icp"},
-      {"objective", objective_json(options)},
-      {"lambda", lambda_json(options)},
-      {"reference", options.reference},
-      {"landmarks", options.landmarks},
-      {"target_error_mm", options.target_error_mm ? ordered_json(*options.target_error_mm) : ordered_json()},
-      {"scale", options.scale == ScaleMode::keep ? "keep" : "remove"},
-      {"landmark_weights", name(options.weights)},
-      {"seed", options.seed}};
-  if (registered_together(options)) out["group"] = options_json(options.group);
-  out["registration"] = options_json(options.registration);
-  out["resampling"] = {{"grid_points", options.grid_points},
-                       {"density_contrast", options.remeshing.contrast},
-                       {"density_floor", options.remeshing.density_floor},
-                       {"density_smoothing_rounds", options.remeshing.smoothing_rounds},
-                       {"relaxation_rounds", options.remeshing.relaxation_rounds},
-                       {"curvature_radius", options.remeshing.curvature_radius},
-                       {"density_updates", options.density_updates},
-                       {"accepted_error_mm", options.errors.accepted_mm},
-                       {"error_exponent", options.errors.exponent},
-                       {"error_spread_rings", options.errors.spread_rings}};
+  ordered_json correspondence = described_json(options.correspondence);
+  correspondence["objective"] = objective_json(options.correspondence);
+  if (!registered_together(options.correspondence)) correspondence.erase("group");
+  ordered_json out = {{"method", correspondence["method"]},
+                      {"objective", correspondence["objective"]},
+                      {"lambda", lambda_json(options.correspondence)}};
+  for (const ordered_json& part :
+       {described_json(options.landmarks), described_json(options.model), correspondence})
+    out.update(part);
   return out;
 }
 
 ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation,
                       const RunFigures& figures) {
-  const bool torus = request.build.method == Method::torus;
+  const bool torus = request.build.correspondence.method == Method::torus;
   ordered_json shapes = ordered_json::array();
   for (std::size_t i = 0; i < build.shapes.size(); ++i)
     shapes.push_back(shape_json(build, i, evaluation, torus));
@@ -235,7 +156,7 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
   return {{"version", version()},
           {"command", request.canonical_command},
           {"options", options},
-          {"seed", request.build.seed},
+          {"seed", request.build.landmarks.seed},
           {"inputs", inputs_json(build)},
           {"reference", build.shapes[static_cast<std::size_t>(build.reference)].input.stem},
           {"template_motion_mm", build.template_motion_mm},

@@ -1,10 +1,12 @@
-#include <Eigen/Eigenvalues>
+#include "foramen/resample/curvature_density.hpp"
+
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/resample/remesh.hpp"
 
 namespace foramen {
 namespace {
@@ -107,12 +109,8 @@ double quantile(std::vector<double> values, double share) {
 
 }  // namespace
 
-VertexMap<double> curvature_density(const Mesh& surface, const RemeshOptions& options) {
-  if (!(options.density_floor > 0 && options.density_floor <= 1))
-    throw InvalidInput("curvature density: the floor must be in (0, 1]");
-  if (!(options.contrast >= 0)) throw InvalidInput("curvature density: the contrast must not be negative");
-  if (!(options.curvature_radius > 0))
-    throw InvalidInput("curvature density: the curvature radius must be positive");
+VertexMap<double> curvature_density(const Mesh& surface, const CurvatureDensityOptions& options) {
+  check_options("curvature_density", options);
   const double radius = options.curvature_radius * std::sqrt(total_area(surface));
   if (!(radius > 0)) throw InvalidInput("curvature density: the surface has no area");
 
@@ -122,8 +120,7 @@ VertexMap<double> curvature_density(const Mesh& surface, const RemeshOptions& op
   for (VertexId v : surface.vertices()) density[v] = curvature(measures[v]);
   const double largest = quantile(density.values(), clamp_quantile);
   for (double& d : density)
-    d = largest > 0 ? std::max(std::pow(std::min(d / largest, 1.0), options.contrast), options.density_floor)
-                    : 1.0;
+    d = largest > 0 ? std::max(std::pow(std::min(d / largest, 1.0), options.contrast), options.floor) : 1.0;
   smooth(surface, density, options.smoothing_rounds, blend_density);
   return density;
 }

@@ -58,8 +58,7 @@ VertexMap<double> raised_by_error(const VertexMap<double>& density, const TorusG
                                   const std::vector<std::array<int, 3>>& triangles, const RunContext& ctx,
                                   const ErrorDensityOptions& options) {
   FORAMEN_ASSERT(density.size() == grid.rows * grid.columns);
-  if (!(options.accepted_mm > 0 && options.exponent >= 0 && options.spread_rings >= 0))
-    throw InvalidInput("raised_by_error: accepted_mm must be > 0, exponent and spread_rings >= 0");
+  check_options("raised_by_error", options);
   const GridNeighbours neighbours(grid);
   const auto points = static_cast<std::size_t>(density.size());
   std::vector<std::vector<double>> each(shapes.size());

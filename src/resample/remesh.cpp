@@ -11,15 +11,10 @@
 namespace foramen {
 namespace {
 
-// Fewer cannot triangulate a torus without joining two landmarks twice for most lattices.
-constexpr int fewest_landmarks = 16;
-
 void check(const Mesh& surface, const TorusMap& map, const VertexMap<double>& density,
            const RemeshOptions& options) {
   FORAMEN_ASSERT(map.turns.size() == surface.vertex_count() && density.size() == surface.vertex_count());
-  if (options.landmarks < fewest_landmarks)
-    throw InvalidInput("remesh: " + std::to_string(options.landmarks) + " landmarks; at least " +
-                       std::to_string(fewest_landmarks) + " are needed");
+  check_options("remesh", options);
   for (VertexId v : surface.vertices())
     if (!(density[v] > 0))
       throw InvalidInput("remesh: the density of vertex " + std::to_string(v.index) + " is not positive");

@@ -89,8 +89,8 @@ TEST(LandmarkWeights, RefusesALandmarkWithoutArea) {
       if (std::find(t.begin(), t.end(), first[0]) != t.end())
         for (const int c : t) shape[static_cast<std::size_t>(c)] = Vec3(1, 2, 3);
   EXPECT_THROW(area_weights(shapes), InvalidInput);
-  EXPECT_EQ(name(LandmarkWeights::equal), "equal");
-  EXPECT_EQ(name(LandmarkWeights::area), "area");
+  EXPECT_EQ(word_of(LandmarkWeights::equal), "equal");
+  EXPECT_EQ(word_of(LandmarkWeights::area), "area");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(BuildModel, LandmarksLieOnEveryInputAndNoTriangleIsFlipped) {
 
 TEST(BuildModel, TheBaselineTakesTheSameReferenceAndNumberOfLandmarks) {
   BuildOptions options = small();
-  options.method = Method::icp;
+  options.correspondence.method = Method::icp;
   const ModelBuild build = build_model(family(), options, RunContext(2));
   EXPECT_EQ(build.landmarks.turns.size(), 1200u);
   for (const ShapeOutcome& outcome : build.shapes) {
@@ -62,7 +62,7 @@ TEST(BuildModel, FewerThanThreeShapesAreRefusedWithWhatWasLeftOut) {
 
 TEST(BuildModel, AnUnknownReferenceIsRefused) {
   BuildOptions options = small();
-  options.reference = "nobody";
+  options.correspondence.reference = "nobody";
   EXPECT_THROW(build_model(family(), options, RunContext(1)), InvalidInput);
 }
 
@@ -101,8 +101,8 @@ TEST(BuildModel, AnOrdinaryShapeThatHasNoMapIsNotTheReference) {
   ASSERT_EQ(rank_references(cohort.shapes).front(), first) << "the needle weighs nothing";
   const std::string name = ragged.file_name;
   BuildOptions options = small();
-  options.method = Method::icp;
-  options.landmarks = 200;
+  options.correspondence.method = Method::icp;
+  options.landmarks.count = 200;
   const ModelBuild build = build_model(std::move(cohort), options, RunContext(2));
   EXPECT_THAT(build.notes, ::testing::ElementsAre(HasSubstr(name + " cannot be the reference")));
   EXPECT_GE(build.shapes.size(), 3u);

@@ -25,8 +25,8 @@ class ModelFolder : public ::testing::TestWithParam<LandmarkWeights> {
     const auto found = made.find(GetParam());
     if (found != made.end()) return found->second;
     BuildOptions options = testing::small();
-    options.landmarks = 300;
-    options.weights = GetParam();
+    options.landmarks.count = 300;
+    options.model.weights = GetParam();
     return made.emplace(GetParam(), build_model(testing::family(), options, RunContext(2))).first->second;
   }
 };

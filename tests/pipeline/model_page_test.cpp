@@ -43,8 +43,8 @@ class ModelPageOf : public ::testing::Test {
     BuildRequest request;
     request.inputs = {shapes};
     request.output = output;
-    request.build.method = Method::icp;  // the cheaper one
-    request.build.landmarks = landmarks;
+    request.build.correspondence.method = Method::icp;  // the cheaper one
+    request.build.landmarks.count = landmarks;
     request.evaluation = {.draws = 5, .samples = 500, .specificity_samples = 100};
     request.subject_pattern = "s.";
     request.canonical_command = "foramen build <shapes>";

@@ -91,9 +91,9 @@ TEST(PageViews, WithoutOneLoopAroundTheCanalThePrincipalAxesAreTaken) {
 
 TEST(LoopsOnLandmarks, LieWhereTheTemplatesLoopsLie) {
   BuildOptions options = testing::small();
-  options.group.round_limit = 0;
-  options.landmarks = 600;
-  options.density_updates = 0;
+  options.correspondence.group.round_limit = 0;
+  options.landmarks.count = 600;
+  options.landmarks.spread.density_updates = 0;
   const ModelBuild build = build_model(testing::family(), options, RunContext(2));
   const Atlas atlas = atlas_of(build);
   const Mesh landmarks = build_mesh(

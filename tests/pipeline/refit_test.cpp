@@ -21,11 +21,11 @@ const GeneralizationOptions measure{.samples = 1000};
 
 BuildOptions quick_build() {
   BuildOptions options = testing::small();
-  options.landmarks = 600;
-  options.grid_points = 6000;
-  options.density_updates = 1;
-  options.group.mean = {.vertices = 1500, .grid_points = 6000};
-  options.group.round_limit = 1;
+  options.landmarks.count = 600;
+  options.landmarks.spread.grid_points = 6000;
+  options.landmarks.spread.density_updates = 1;
+  options.correspondence.group.mean = {.vertices = 1500, .grid_points = 6000};
+  options.correspondence.group.round_limit = 1;
   return options;
 }
 
@@ -72,7 +72,7 @@ TEST(Refit, AShapeWhoseTwinIsInTheModelIsDescribedAsWellAsItIsRepresented) {
 TEST(Refit, TheModelOfTheOthersDoesNotSeeTheShape) {
   BuildOptions options = quick_build();
   const ModelBuild one = build_model(family(), options, RunContext(2));
-  options.reference = "s0";  // must not matter when it is left out
+  options.correspondence.reference = "s0";  // must not matter when it is left out
   const ModelBuild other = build_model(family_with_another_first(), options, RunContext(2));
   const ModelBuild a = build_without(one, {0}, quick_build(), RunContext(2));
   const ModelBuild b = build_without(other, {0}, options, RunContext(1));
@@ -89,8 +89,8 @@ TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
        {std::tuple{Method::icp, Objective::surface, 1e-9},
         std::tuple{Method::torus, Objective::neighbours, 1e-9}}) {
     BuildOptions options = quick_build();
-    options.method = method;
-    options.objective = objective;
+    options.correspondence.method = method;
+    options.correspondence.objective = objective;
     const ModelBuild build = build_model(family(), options, RunContext(2));
     const std::size_t other = build.reference == 0 ? 1 : 0;
     const auto landmarks = landmarks_on_unseen(build.shapes[other].input.mesh, build, options, RunContext(1));
@@ -102,7 +102,7 @@ TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
 
 TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
   BuildOptions options = quick_build();
-  options.method = Method::icp;
+  options.correspondence.method = Method::icp;
   const ModelBuild build = build_model(family(), options, RunContext(2));
   GeneralizationOptions by_subject = measure;
   by_subject.leave_out = LeaveOut::subject;
@@ -120,7 +120,7 @@ TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
 
 TEST(Refit, GroupsDoneBeforeAreTakenUp) {
   BuildOptions options = quick_build();
-  options.method = Method::icp;
+  options.correspondence.method = Method::icp;
   const ModelBuild build = build_model(family(), options, RunContext(2));
   GeneralizationOptions by_subject = measure;
   by_subject.leave_out = LeaveOut::subject;
@@ -144,7 +144,7 @@ TEST(Refit, GroupsDoneBeforeAreTakenUp) {
 
 TEST(Refit, AStopRequestReachesTheBuilds) {
   BuildOptions options = quick_build();
-  options.method = Method::icp;
+  options.correspondence.method = Method::icp;
   const ModelBuild build = build_model(family(), options, RunContext(2));
   const RunContext stopped(1);
   stopped.request_stop();

@@ -118,10 +118,10 @@ TEST(StageScope, NamesEverySurfaceAndOption) {
   std::swap(swapped[1], swapped[2]);
   others.push_back(stage_scope(swapped, testing::small()));
   BuildOptions options = testing::small();
-  options.group.lambda = 0.6;
+  options.correspondence.group.lambda = 0.6;
   others.push_back(stage_scope(shapes, options));
   options = testing::small();
-  options.method = Method::icp;
+  options.correspondence.method = Method::icp;
   others.push_back(stage_scope(shapes, options));
   for (const std::string& other : others) EXPECT_NE(other, scope);
 }

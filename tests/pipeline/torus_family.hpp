@@ -35,8 +35,8 @@ inline Cohort family() {
 
 inline BuildOptions small() {
   BuildOptions options;
-  options.landmarks = 1200;
-  options.grid_points = 12000;
+  options.landmarks.count = 1200;
+  options.landmarks.spread.grid_points = 12000;
   return options;
 }
 

@@ -114,7 +114,7 @@ TEST_F(UsableModelTest, AnotherTopologyIsRefused) {
 TEST_F(UsableModelTest, FilesOfTwoModelsAreRefused) {
   const testing::TemporaryFolder mixed;
   BuildOptions fewer = testing::small();
-  fewer.landmarks = 300;
+  fewer.landmarks.count = 300;
   write_model_files(mixed.path(), build_model(testing::family(), fewer, RunContext(2)), "foramen build", 1);
   std::filesystem::copy_file(folder().path() / "atlas.h5", mixed.path() / "atlas.h5",
                              std::filesystem::copy_options::overwrite_existing);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "foramen/resample/curvature_density.hpp"
 #include "foramen/resample/refine_landmarks.hpp"
 #include "foramen/spatial/flips.hpp"
 #include "foramen/spatial/self_intersections.hpp"

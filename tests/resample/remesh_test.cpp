@@ -1,4 +1,5 @@
 #include "foramen/resample/remesh.hpp"
+#include "foramen/resample/curvature_density.hpp"
 
 #include <gtest/gtest.h>
 
@@ -132,7 +133,7 @@ TEST(CurvatureDensity, FollowsTheCurvatureOfATorus) {
   // (|K| + H^2) / 2 in closed form: k1 = 1 / r, k2 = cos v / (R + r cos v).
   const MappedSurface fat = testing::torus(20000, 20, 10);
   const auto density = curvature_density(
-      fat.mesh, {.contrast = 1, .density_floor = 1e-6, .smoothing_rounds = 0, .curvature_radius = 0.004});
+      fat.mesh, {.contrast = 1, .floor = 1e-6, .smoothing_rounds = 0, .curvature_radius = 0.004});
   const auto exact = [&](VertexId v) {
     const double c = std::cos(2 * std::numbers::pi * fat.map.turns[v].y()), k1 = 0.1, k2 = c / (20 + 10 * c);
     return (std::abs(k1 * k2) + std::pow((k1 + k2) / 2, 2)) / 2;
@@ -144,7 +145,7 @@ TEST(CurvatureDensity, FollowsTheCurvatureOfATorus) {
 
 TEST(CurvatureDensity, KeepsItsFloorAndDoesNotDependOnSizeOrPlace) {
   const MappedSurface m = testing::spiky_torus(8000, 5, 8, 0.03);
-  const RemeshOptions options{.density_floor = 0.2};
+  const CurvatureDensityOptions options{.floor = 0.2};
   const auto density = curvature_density(m.mesh, options);
   EXPECT_GE(*std::min_element(density.begin(), density.end()), 0.2 - 1e-12);
   EXPECT_LE(*std::max_element(density.begin(), density.end()), 1.0 + 1e-12);
@@ -172,7 +173,7 @@ TEST(Remesh, NamesWhatIsWrong) {
   auto density = uniform(m);
   density[VertexId(3)] = 0;
   EXPECT_THROW(remesh(m.mesh, m.map, density, one_thread, {.landmarks = 100}), InvalidInput);
-  EXPECT_THROW(curvature_density(m.mesh, {.density_floor = 0}), InvalidInput);
+  EXPECT_THROW(curvature_density(m.mesh, {.floor = 0}), InvalidInput);
   EXPECT_THROW(curvature_density(m.mesh, {.contrast = -1}), InvalidInput);
   EXPECT_THROW(curvature_density(m.mesh, {.curvature_radius = 0}), InvalidInput);
 }

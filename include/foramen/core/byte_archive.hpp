@@ -24,13 +24,10 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/ids.hpp"
+#include "foramen/core/maybe_const.hpp"
 #include "foramen/core/mesh.hpp"
 
 namespace foramen {
-
-/// T, or const T when it is written.
-template <class Value, class T>
-concept MaybeConst = std::same_as<std::remove_const_t<Value>, T>;
 
 /// Appends values to a string of bytes.
 class ByteWriter {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/correspond/displacement_prior.hpp"
 
@@ -28,6 +29,37 @@ struct DeformTemplateOptions {
   double rejection = 4;
   double least_median_mm = 0.5;  ///< The median counts as no less than this. > 0.
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<DeformTemplateOptions> auto& o) {
+  visit(o.noise_mm, {.name = "noise",
+                     .unit = "mm",
+                     .range = above(0),
+                     .meaning = "standard deviation of a match, from coarse to fine"});
+  visit(o.iterations,
+        {.name = "iterations", .range = at_least(1), .meaning = "iterations at every level of noise"});
+  visit(o.samples,
+        {.name = "samples", .range = at_least(1), .meaning = "matches sought from each of the two surfaces"});
+  visit(o.normal_weight, {.name = "normal_weight",
+                          .unit = "mm",
+                          .range = at_least(0),
+                          .meaning = "distance that a unit of normal difference counts as in the searches"});
+  visit(o.tangential_share,
+        {.name = "tangential_share",
+         .range = above(0).up_to(1),
+         .meaning = "part of a match that is point to point; the rest is along the mean normal"});
+  visit(o.independent_area_mm2, {.name = "independent_area",
+                                 .unit = "mm^2",
+                                 .range = above(0),
+                                 .meaning = "area of a patch that counts as one independent match"});
+  visit(o.rejection, {.name = "rejection",
+                      .unit = "medians",
+                      .range = above(0),
+                      .meaning = "matches farther than this are left out (Tukey's biweight)"});
+  visit(o.least_median_mm, {.name = "least_median",
+                            .unit = "mm",
+                            .range = above(0),
+                            .meaning = "the median counts as no less than this"});
+}
 
 /// The template's vertices where the smooth displacement that best explains the shape puts them: the maximum
 /// a posteriori of u = phi a, a as the prior says, given matches both ways between the bent template and the

@@ -2,6 +2,7 @@
 /// \file
 /// The reference's basepoint and loops carried to an aligned shape, the paper's way.
 
+#include "foramen/core/options.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 
 namespace foramen {
@@ -20,6 +21,11 @@ enum class EdgeCost {
   paper,  ///< [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm];
           ///< counts hops
   length_weighted,  ///< (that + 0.5 mm) * edge length [mm^2]: independent of how finely the surface is meshed
+};
+template <>
+struct EnumWords<EdgeCost> {
+  static constexpr std::pair<std::string_view, EdgeCost> all[] = {
+      {"paper", EdgeCost::paper}, {"length_weighted", EdgeCost::length_weighted}};
 };
 
 /// The cost of every edge of an aligned shape. [becker2011 Eq. 3]

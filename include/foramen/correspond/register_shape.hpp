@@ -2,6 +2,7 @@
 /// \file
 /// The torus map of the reference, and of every other shape in correspondence with it.
 
+#include "foramen/core/options.hpp"
 #include "foramen/correspond/align.hpp"
 #include "foramen/correspond/first_map.hpp"
 #include "foramen/correspond/shape_map.hpp"
@@ -15,11 +16,30 @@ struct RegisterOptions {
   Weighting weighting = Weighting::area;
   EdgeCost edge_cost = EdgeCost::length_weighted;
   SoftNeighboursOptions neighbours = {};
-  double lambda = 0.05;  ///< Weight of distortion against correspondence (area weighting: of means). > 0.
-  int working_vertices = 10000;  ///< Of the mesh that carries the search.
+  double lambda = 0.05;
+  int working_vertices = 10000;
   double relative_tolerance = 1e-4;
-  int iteration_limit = 200;  ///< Of each optimisation.
+  int iteration_limit = 200;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<RegisterOptions> auto& o) {
+  visit(o.lambda,
+        {.name = "lambda", .range = above(0), .meaning = "weight of distortion against correspondence"});
+  visit(o.weighting,
+        {.name = "weighting", .meaning = "whether terms are weighted by their area or counted each"});
+  visit(o.initial_map, {.name = "initial_map", .meaning = "first map of a shape"});
+  visit(o.optimiser, {.name = "optimiser", .meaning = "projected Newton, or the paper's node-wise descent"});
+  visit(o.edge_cost, {.name = "edge_cost", .meaning = "cost of an edge when loops are carried to a shape"});
+  visit(o.neighbours, {.nesting = Nesting::inlined});
+  visit(o.working_vertices, {.name = "working_vertices",
+                             .range = at_least(16),
+                             .meaning = "vertices of the simplified mesh that carries the search"});
+  visit(o.relative_tolerance, {.name = "relative_tolerance",
+                               .range = above(0),
+                               .meaning = "relative decrease of the energy at which an optimisation stops"});
+  visit(o.iteration_limit,
+        {.name = "iteration_limit", .range = at_least(1), .meaning = "most iterations of an optimisation"});
+}
 
 /// The paper's own choices: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with plain
 /// neighbours, lambda = 0.00025.

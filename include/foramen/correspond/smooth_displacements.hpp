@@ -8,24 +8,55 @@
 #include <Eigen/Core>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/options.hpp"
 
 namespace foramen {
 
 /// A part of the covariance of each coordinate: amplitude^2 exp(-r^2 / (2 length^2)).
 struct DisplacementScale {
-  double length_mm = 0;     ///< > 0
-  double amplitude_mm = 0;  ///< standard deviation, > 0
+  double length_mm = 10;
+  double amplitude_mm = 1;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<DisplacementScale> auto& o) {
+  visit(o.length_mm, {.name = "length",
+                      .unit = "mm",
+                      .range = above(0),
+                      .meaning = "distance over which displacements are alike"});
+  visit(o.amplitude_mm, {.name = "amplitude",
+                         .unit = "mm",
+                         .range = above(0),
+                         .meaning = "standard deviation of a coordinate"});
+}
 
 struct SmoothDisplacementOptions {
   /// From what moves a whole vertebra's part to what moves the tip of a process.
   std::vector<DisplacementScale> scales = {{40, 4}, {20, 1.5}, {10, 0.5}};
-  double shift_mm = 10;  ///< Standard deviation of a common translation. > 0.
-  double linear_mm = 6;  ///< Of a linear map's displacement at the surface's RMS radius. > 0.
-  double left_out_mm =
-      0.3;  ///< The basis ends when no point's standard deviation left out is above this. > 0.
+  double shift_mm = 10;
+  double linear_mm = 6;
+  double left_out_mm = 0.3;
   int most_functions = 400;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<SmoothDisplacementOptions> auto& o) {
+  visit(o.scales, {.name = "scales", .meaning = "parts of the covariance"});
+  visit(o.shift_mm, {.name = "shift",
+                     .unit = "mm",
+                     .range = above(0),
+                     .meaning = "standard deviation of a common translation"});
+  visit(o.linear_mm,
+        {.name = "linear",
+         .unit = "mm",
+         .range = above(0),
+         .meaning = "standard deviation of a linear map's displacement at the surface's RMS radius"});
+  visit(o.left_out_mm,
+        {.name = "left_out",
+         .unit = "mm",
+         .range = above(0),
+         .meaning = "the basis ends when no point's standard deviation left out is above this"});
+  visit(o.most_functions,
+        {.name = "functions_limit", .range = at_least(1), .meaning = "most functions of the basis"});
+}
 
 /// Functions phi_k over the points such that sum_k phi_k(x) phi_k(y) is the covariance of a coordinate of the
 /// displacement at x and y: u = phi a with independent standard normal a is a draw, and |a|^2 / 2 its

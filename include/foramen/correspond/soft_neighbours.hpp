@@ -3,6 +3,7 @@
 /// The paper's correspondence term: every vertex is drawn to the torus positions of its nearest neighbours on
 /// the reference.
 
+#include "foramen/core/options.hpp"
 #include "foramen/parameterize/optimise_map.hpp"
 
 namespace foramen {
@@ -16,12 +17,34 @@ enum class NeighbourWeights {
   relative,  ///< the same, divided by their sum: every vertex pulls with the same total weight
 };
 
+template <>
+struct EnumWords<NeighbourSearch> {
+  static constexpr std::pair<std::string_view, NeighbourSearch> all[] = {
+      {"points", NeighbourSearch::points}, {"oriented_points", NeighbourSearch::oriented_points}};
+};
+template <>
+struct EnumWords<NeighbourWeights> {
+  static constexpr std::pair<std::string_view, NeighbourWeights> all[] = {
+      {"absolute", NeighbourWeights::absolute}, {"relative", NeighbourWeights::relative}};
+};
+
 struct SoftNeighboursOptions {
-  int count = 8;  ///< q, neighbours per vertex. > 0.
+  int count = 8;
   NeighbourSearch search = NeighbourSearch::oriented_points;
   NeighbourWeights weights = NeighbourWeights::relative;
-  double smoothing = 1e-3;  ///< eps in sqrt(r^2 + eps^2) for the distance r on the torus of area 1. > 0.
+  double smoothing = 1e-3;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<SoftNeighboursOptions> auto& o) {
+  visit(o.count,
+        {.name = "neighbours", .range = at_least(1), .meaning = "reference vertices that draw a vertex"});
+  visit(o.search, {.name = "neighbour_search", .meaning = "what the nearest vertices are nearest by"});
+  visit(o.weights,
+        {.name = "neighbour_weights", .meaning = "whether the weights of a vertex are divided by their sum"});
+  visit(o.smoothing, {.name = "neighbour_smoothing",
+                      .range = above(0),
+                      .meaning = "eps in sqrt(r^2 + eps^2) for a distance r on the torus of area 1"});
+}
 
 /// E_cor,j = sum over the q nearest reference vertices k of w_jk |p_j - p_k|, [becker2011 Eq. 4], with the
 /// distance to the nearest lattice translate, smoothed as sqrt(r^2 + eps^2). Positions in the plane of the

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/evaluate/compactness.hpp"
 #include "foramen/evaluate/drawn_shapes.hpp"
 #include "foramen/evaluate/ensemble.hpp"
@@ -19,11 +20,27 @@ namespace foramen {
 struct EvaluationOptions {
   ScaleMode scale = ScaleMode::keep;
   LandmarkWeights weights = LandmarkWeights::equal;
-  int draws = 1000;                ///< for specificity, and as many for drawn_shapes, > 0
-  int samples = 20000;             ///< of each surface for its distances, > 0
-  int specificity_samples = 2000;  ///< the same for specificity, > 0
+  int draws = 1000;
+  int samples = 20000;
+  int specificity_samples = 2000;
   std::uint64_t seed = 1;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<EvaluationOptions> auto& o) {
+  visit(o.scale, {.name = "scale", .meaning = "keep or remove the shapes' size"});
+  visit(o.weights,
+        {.name = "landmark_weights", .meaning = "what landmarks count for: all alike, or by their area"});
+  visit(o.draws, {.name = "draws",
+                  .range = at_least(1).up_to(1000000),
+                  .meaning = "random shapes for specificity, and for their own quality"});
+  visit(o.samples, {.name = "surface_samples",
+                    .range = at_least(1),
+                    .meaning = "samples of each surface for its distances"});
+  visit(o.specificity_samples, {.name = "specificity_surface_samples",
+                                .range = at_least(1),
+                                .meaning = "samples of each surface for the distances of specificity"});
+  visit(o.seed, {.name = "seed", .meaning = "seed of all random numbers"});
+}
 
 struct EvaluationSeconds {
   double model = 0, representation = 0, generalization = 0, specificity = 0, drawn = 0, truth = 0, refit = 0;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/io/label_map.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
@@ -31,6 +32,19 @@ struct ExtractOptions {
   /// is lowered by tenths of itself while the 95th percentile of the deviation is above half a voxel.
   double bound_voxels = 0.5;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<ExtractOptions> auto& o) {
+  visit(o.keep_cut,
+        {.name = "keep_cut",
+         .meaning = "also take labels that reach the border of the label map, closed flat there"});
+  visit(o.smoothing_rounds, {.name = "smoothing_rounds",
+                             .range = at_least(0),
+                             .meaning = "rounds in which the steps of the voxels are smoothed"});
+  visit(o.bound_voxels, {.name = "bound",
+                         .unit = "voxels",
+                         .range = above(0).up_to(0.5),
+                         .meaning = "how far a vertex may move from its place on the voxels' surface"});
+}
 
 /// What voxels that touch along an edge alone are taken for. The voxels do not say, and the genus depends on
 /// it.

@@ -8,13 +8,20 @@
 #include <Eigen/Core>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/options.hpp"
 
 namespace foramen {
 
 struct DescriptionLengthOptions {
-  /// lambda_c: a mode of less variance than this per unit of weight is noise [mm^2]. > 0.
-  double cut_mm2 = 0.01;
+  double cut_mm2 = 0.01;  ///< lambda_c
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<DescriptionLengthOptions> auto& o) {
+  visit(o.cut_mm2, {.name = "cut",
+                    .unit = "mm^2",
+                    .range = above(0),
+                    .meaning = "variance per unit of weight below which a mode is noise"});
+}
 
 struct DescriptionLength {
   double value = 0;                      ///< dimensionless

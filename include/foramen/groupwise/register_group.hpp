@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/correspond/deform_template.hpp"
 #include "foramen/correspond/register_shape.hpp"
 #include "foramen/correspond/smooth_displacements.hpp"
@@ -22,6 +23,11 @@ enum class DistortionMeasure {
   on_template,  ///< of the map shape -> template: TemplateMetric
   in_plane,     ///< of the map shape -> flat torus
 };
+template <>
+struct EnumWords<DistortionMeasure> {
+  static constexpr std::pair<std::string_view, DistortionMeasure> all[] = {
+      {"template", DistortionMeasure::on_template}, {"plane", DistortionMeasure::in_plane}};
+};
 
 /// How the template is brought onto a shape before targets are sought on it.
 enum class Bending {
@@ -30,32 +36,82 @@ enum class Bending {
   smooth,  ///< deform_template(), each shape by itself
   rigid,   ///< aligned only
 };
+template <>
+struct EnumWords<Bending> {
+  static constexpr std::pair<std::string_view, Bending> all[] = {
+      {"cohort", Bending::cohort}, {"smooth", Bending::smooth}, {"rigid", Bending::rigid}};
+};
 
 struct RegisterGroupOptions {
   InitialMap initial_map = InitialMap::torus;
   EdgeCost edge_cost = EdgeCost::length_weighted;
-  double lambda =
-      0.5;  ///< Weight of distortion [mm^2]: E_target + lambda E_deg, both area-weighted means. > 0.
-  int working_vertices = 10000;  ///< Of the meshes that carry the search.
+  double lambda = 0.5;
+  int working_vertices = 10000;
   double relative_tolerance = 1e-4;
-  int iteration_limit = 200;  ///< Of each optimisation.
+  int iteration_limit = 200;
   TemplateOptions mean = {};
   DistortionMeasure distortion = DistortionMeasure::on_template;
   Bending bending = Bending::cohort;
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
-  DeformTemplateOptions first = {};  ///< From the rigidly aligned template.
-  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};  ///< From the last round's.
+  DeformTemplateOptions first = {};
+  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};
   SurfaceTargetsOptions targets = {};
-  int metric_updates =
-      2;                ///< Optimisations of a map in a round, each with the metric where the last left it.
-  int round_limit = 4;  ///< Of rounds with the mean as template. >= 0.
-  /// Rounds end when the mean moves by less than this (RMS) [mm]; with Bending::cohort after two at the
-  /// earliest.
-  double still_mm = 0.15;
-  int description_rounds = 0;  ///< After those: rounds of all maps by description_length() instead. >= 0.
+  int metric_updates = 2;
+  int round_limit = 4;
+  double still_mm = 0.15;  ///< With Bending::cohort the rounds end after two at the earliest.
+  int description_rounds = 0;
   DescriptionLengthOptions description = {};
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
+  visit(o.lambda, {.name = "lambda",
+                   .unit = "mm^2",
+                   .range = above(0),
+                   .meaning = "weight of distortion against the squared distance to the targets"});
+  visit(o.initial_map, {.name = "initial_map", .meaning = "first map of a shape"});
+  visit(o.edge_cost, {.name = "edge_cost", .meaning = "cost of an edge when loops are carried to a shape"});
+  visit(o.distortion, {.name = "distortion",
+                       .meaning = "where distortion is measured: on the template, or in the flat torus"});
+  visit(
+      o.bending,
+      {.name = "bending",
+       .meaning =
+           "how the template is brought onto a shape: bent, with what the other shapes tell or each by itself, or only aligned"});
+  visit(o.round_limit,
+        {.name = "rounds",
+         .range = at_least(0).up_to(100),
+         .meaning = "most rounds with the mean as template; 0: the reference stays the template"});
+  visit(o.still_mm, {.name = "still",
+                     .unit = "mm",
+                     .range = at_least(0),
+                     .meaning = "RMS motion of the mean below which the rounds end"});
+  visit(
+      o.metric_updates,
+      {.name = "metric_updates",
+       .range = at_least(1),
+       .meaning =
+           "optimisations of a map in a round, each with the template's metric where the last one left the map"});
+  visit(o.description_rounds,
+        {.name = "description_rounds",
+         .range = at_least(0),
+         .meaning = "further rounds in which the description length of the cohort draws the maps"});
+  visit(o.description, {.name = "description", .nesting = Nesting::prefixed});
+  visit(o.mean, {.name = "template", .nesting = Nesting::prefixed});
+  visit(o.displacements, {.name = "displacement", .nesting = Nesting::prefixed});
+  visit(o.cohort, {.name = "cohort", .nesting = Nesting::prefixed});
+  visit(o.first, {.name = "bending_first"});
+  visit(o.again, {.name = "bending_again"});
+  visit(o.targets, {.name = "targets", .nesting = Nesting::prefixed});
+  visit(o.working_vertices, {.name = "working_vertices",
+                             .range = at_least(16),
+                             .meaning = "vertices of the simplified meshes that carry the search"});
+  visit(o.relative_tolerance, {.name = "relative_tolerance",
+                               .range = above(0),
+                               .meaning = "relative decrease of the energy at which an optimisation stops"});
+  visit(o.iteration_limit,
+        {.name = "iteration_limit", .range = at_least(1), .meaning = "most iterations of an optimisation"});
+}
 
 struct GroupMember {
   std::optional<RegisteredShape> registered;  ///< unset: left out

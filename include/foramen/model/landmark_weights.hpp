@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/model/procrustes.hpp"
 
 namespace foramen {
@@ -15,8 +16,11 @@ enum class LandmarkWeights {
   area    ///< by the area around it: every part of the surface alike
 };
 
-/// "equal" or "area".
-std::string_view name(LandmarkWeights kind);
+template <>
+struct EnumWords<LandmarkWeights> {
+  static constexpr std::pair<std::string_view, LandmarkWeights> all[] = {{"equal", LandmarkWeights::equal},
+                                                                         {"area", LandmarkWeights::area}};
+};
 
 /// Empty for LandmarkWeights::equal. For area \f$ w_i = P A_i / \sum_j A_j \f$, of mean 1: A_i is a third of
 /// the areas of the triangles at landmark i (vertex_areas) on the mean of the unweighted generalized

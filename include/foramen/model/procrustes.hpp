@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/core/options.hpp"
 
 namespace foramen {
 
@@ -19,7 +20,13 @@ struct SimilarityTransform {
   Eigen::Matrix4d matrix() const;
 };
 
+/// Whether size is a part of shape.
 enum class ScaleMode { keep, remove };
+template <>
+struct EnumWords<ScaleMode> {
+  static constexpr std::pair<std::string_view, ScaleMode> all[] = {{"keep", ScaleMode::keep},
+                                                                   {"remove", ScaleMode::remove}};
+};
 
 /// The least-squares motion of `moving` onto `fixed`, min sum_i w_i |s R m_i + t - f_i|^2 over proper
 /// rotations R (a reflection is never chosen), and over s > 0 with ScaleMode::remove. \cite kabsch1976 \cite

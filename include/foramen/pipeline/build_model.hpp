@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/groupwise/register_group.hpp"
 #include "foramen/model/landmark_weights.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "foramen/pipeline/read_cohort.hpp"
+#include "foramen/resample/curvature_density.hpp"
 #include "foramen/resample/error_density.hpp"
 #include "foramen/resample/remesh.hpp"
 
@@ -20,30 +22,115 @@ enum class Method {
   torus,  ///< correspondence through maps to a common flat torus
   icp,  ///< the baseline (Brett and Taylor 2000): landmarks of the remeshed reference to their closest points
 };
+template <>
+struct EnumWords<Method> {
+  static constexpr std::pair<std::string_view, Method> all[] = {{"torus", Method::torus},
+                                                                {"icp", Method::icp}};
+};
 
 /// What draws the maps of Method::torus into correspondence.
 enum class Objective {
   surface,     ///< points of a template bent onto the shape; the template becomes the mean: register_group()
   neighbours,  ///< the paper's soft neighbours on the reference [becker2011 Eq. 4]: register_shape()
 };
+template <>
+struct EnumWords<Objective> {
+  static constexpr std::pair<std::string_view, Objective> all[] = {{"surface", Objective::surface},
+                                                                   {"neighbours", Objective::neighbours}};
+};
 
-struct BuildOptions {
+struct CorrespondOptions {
   Method method = Method::torus;
   Objective objective = Objective::surface;
   std::string reference = "auto";     ///< A shape's stem, or auto: the first of rank_references() with a map.
-  RegisterOptions registration = {};  ///< of the reference, and of all shapes with Objective::neighbours
   RegisterGroupOptions group = {};    ///< of all shapes with Objective::surface
-  int landmarks = 4000;               ///< Budget; refinement may add 5 %.
-  std::optional<double> target_error_mm =
-      std::nullopt;                 ///< Set: as few landmarks as give this mean representation error [mm].
-  int grid_points = 65000;          ///< Of the dense uniform sampling of the torus.
-  RemeshOptions remeshing = {};     ///< (its number of landmarks is set from the above)
-  ErrorDensityOptions errors = {};  ///< what raises the density of landmarks, as often as this:
+  RegisterOptions registration = {};  ///< of the reference, and of all shapes with Objective::neighbours
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<CorrespondOptions> auto& o) {
+  visit(o.method, {.name = "method", .meaning = "torus maps, or the ICP baseline"});
+  visit(
+      o.objective,
+      {.name = "objective",
+       .meaning =
+           "what draws the maps together: points of the bent mean's surface, or the paper's soft neighbours"});
+  visit(o.reference, {.name = "reference", .meaning = "name of the reference shape, or auto"});
+  visit(o.group, {.name = "group"});
+  visit(o.registration, {.name = "registration"});
+}
+
+/// Whether shapes are registered as a group, and options.group counts.
+bool registered_together(const CorrespondOptions& options);
+
+/// How landmarks are spread over the mean.
+struct LandmarkSpreadOptions {
+  int grid_points = 65000;
+  CurvatureDensityOptions density = {};
+  int relaxation_rounds = RemeshOptions{}.relaxation_rounds;
   int density_updates = 3;
+  ErrorDensityOptions errors = {};
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<LandmarkSpreadOptions> auto& o) {
+  visit(o.grid_points, {.name = "grid_points",
+                        .range = at_least(16),
+                        .meaning = "points of the dense uniform sampling of the torus"});
+  visit(o.density, {.nesting = Nesting::inlined});
+  visit(o.relaxation_rounds,
+        {.name = "relaxation_rounds", .range = at_least(0), .meaning = "rounds of Lloyd relaxation"});
+  visit(o.density_updates, {.name = "density_updates",
+                            .range = at_least(0),
+                            .meaning = "times that the density is raised where the landmarks miss a shape"});
+  visit(o.errors, {.nesting = Nesting::inlined});
+}
+
+struct PlaceLandmarksOptions {
+  int count = 4000;
+  std::optional<double> target_error_mm =
+      std::nullopt;  ///< Set: it decides the number, and `count` does not.
+  ScaleMode scale = ScaleMode::keep;
+  std::uint64_t seed = 1;
+  LandmarkSpreadOptions spread = {};
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<PlaceLandmarksOptions> auto& o) {
+  visit(o.count, {.name = "landmarks",
+                  .range = at_least(50).up_to(200000),
+                  .meaning = "number of landmarks (refinement may add 5 %)"});
+  visit(o.target_error_mm, {.name = "target_error",
+                            .unit = "mm",
+                            .range = above(0),
+                            .meaning = "as few landmarks as represent the shapes this well"});
+  visit(o.scale, {.name = "scale",
+                  .meaning = "keep or remove the shapes' size in the mean on which landmarks are placed"});
+  visit(o.seed,
+        {.name = "seed", .meaning = "seed of the samples by which the error of representation is measured"});
+  visit(o.spread, {.name = "resampling"});
+}
+
+struct ShapeModelOptions {
   ScaleMode scale = ScaleMode::keep;
   LandmarkWeights weights = LandmarkWeights::equal;  ///< in the alignment and the model
-  std::uint64_t seed = 1;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<ShapeModelOptions> auto& o) {
+  visit(o.scale, {.name = "scale", .meaning = "keep or remove the shapes' size"});
+  visit(o.weights,
+        {.name = "landmark_weights", .meaning = "what landmarks count for: all alike, or by their area"});
+}
+
+/// The options of each stage.
+struct BuildOptions {
+  CorrespondOptions correspondence = {};
+  PlaceLandmarksOptions landmarks = {};
+  ShapeModelOptions model = {};
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<BuildOptions> auto& o) {
+  visit(o.correspondence, {.name = "correspondence"});
+  visit(o.landmarks, {.name = "landmarks"});
+  visit(o.model, {.name = "model"});
+}
 
 /// What became of one input.
 struct ShapeOutcome {
@@ -77,9 +164,6 @@ struct ModelBuild {
   GroupTemplate group_template;             ///< of Objective::surface
   std::vector<std::pair<std::string, double>> stage_seconds;
 };
-
-/// Whether shapes are registered as a group, and options.group counts.
-bool registered_together(const BuildOptions& options);
 
 /// Throws InvalidInput if fewer than three shapes are usable or the named reference is not among them. A
 /// shape whose registration fails is left out with the reason.

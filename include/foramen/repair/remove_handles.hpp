@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/repair/find_handles.hpp"
 
 namespace foramen {
@@ -14,8 +15,22 @@ struct RemoveHandlesOptions {
   double noise_mm = 12;
   /// ... or if it is a bridge at most this thick, measured round it [mm]. All else is anatomy.
   double thin_bridge_mm = 4;
-  int most_handles = 16;  ///< Genus above: refused without a search.
+  int most_handles = 16;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<RemoveHandlesOptions> auto& o) {
+  visit(o.noise_mm, {.name = "handle_limit",
+                     .unit = "mm",
+                     .range = above(0),
+                     .meaning = "an extra handle is noise if both its loops are at most this long"});
+  visit(o.thin_bridge_mm, {.name = "thin_bridge",
+                           .unit = "mm",
+                           .range = at_least(0),
+                           .meaning = "a bridge is noise if it is at most this long round it"});
+  visit(o.most_handles, {.name = "most_handles",
+                         .range = at_least(1),
+                         .meaning = "genus above which a surface is refused without a search for handles"});
+}
 
 /// Whether a handle is noise of the segmentation, by the rule of the options.
 bool is_noise(const Handle& handle, const RemoveHandlesOptions& options);

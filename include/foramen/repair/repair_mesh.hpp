@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/repair/remove_handles.hpp"
 
@@ -19,6 +20,18 @@ struct RepairOptions {
   double stray_share = 0.1;
   RemoveHandlesOptions handles = {};
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<RepairOptions> auto& o) {
+  visit(o.hole_perimeter_mm, {.name = "hole_limit",
+                              .unit = "mm",
+                              .range = above(0),
+                              .meaning = "a hole is filled if its border is at most this long"});
+  visit(o.stray_share,
+        {.name = "stray_share",
+         .range = at_least(0).up_to(1),
+         .meaning = "a separate piece is dropped if its area is at most this share of the largest's"});
+  visit(o.handles, {.nesting = Nesting::inlined});
+}
 
 /// In the order in which they are mended.
 enum class RepairKind {

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/resample/remesh.hpp"
 #include "foramen/resample/torus_grid.hpp"
@@ -19,10 +20,26 @@ struct RepresentedShape {
 };
 
 struct ErrorDensityOptions {
-  double accepted_mm = 0.5;  ///< Errors up to this change nothing. > 0.
-  double exponent = 1.0;     ///< An error of r times that raises the density by r^exponent. >= 0.
-  int spread_rings = 3;      ///< Rings of grid points that an error reaches. >= 0.
+  double accepted_mm = 0.5;
+  double exponent = 1.0;
+  int spread_rings = 3;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<ErrorDensityOptions> auto& o) {
+  visit(o.accepted_mm,
+        {.name = "accepted_error",
+         .unit = "mm",
+         .range = above(0),
+         .meaning = "distance between a shape and its landmarks up to which no landmarks are added"});
+  visit(
+      o.exponent,
+      {.name = "error_exponent",
+       .range = at_least(0),
+       .meaning = "an error of r times the accepted one raises the density of landmarks by r to this power"});
+  visit(o.spread_rings, {.name = "error_spread_rings",
+                         .range = at_least(0),
+                         .meaning = "rings of grid points that an error reaches"});
+}
 
 /// The density times max(1, error / accepted)^exponent, the error at a point of the grid being the largest
 /// distance of a shape's input vertices there to the mesh of its landmarks, over all shapes, spread and

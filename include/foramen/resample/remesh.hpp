@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
@@ -18,23 +19,16 @@ struct LandmarkMesh {
   HalfedgeMap<Vec2i> jumps;  ///< of halfedge 3f+k: an embedding of the torus like any torus map
 };
 
-/// The defaults are the middle of a wide plateau: on real lumbar vertebrae the error of representation hardly
-/// changes for contrasts of 0.35 to 0.5, floors of 0.05 to 0.15 and radii of 0.007 to 0.015.
 struct RemeshOptions {
   int landmarks = 4000;
-  /// density = curvature^contrast, >= 0; 0: uniform. 0.5 spreads the largest error evenly (an edge of length
-  /// h misses a surface of curvature k by h^2 k / 8, and the curvature measured here is of the kind k^2),
-  /// 0.25 lessens the mean.
-  double contrast = 0.5;
-  /// Smallest density relative to the largest, in (0, 1]: flat regions get samples too.
-  double density_floor = 0.15;
-  int smoothing_rounds = 5;    ///< of the density, half-way to the neighbours' mean each
   int relaxation_rounds = 80;  ///< Lloyd
-  /// Standard deviation of the kernel over which the curvature tensor is averaged before its curvature is
-  /// taken, relative to the square root of the surface's area; > 0. It decides what is a feature and what a
-  /// voxel's step: about 1 mm on a vertebra.
-  double curvature_radius = 0.008;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<RemeshOptions> auto& o) {
+  visit(o.landmarks, {.name = "landmarks", .range = at_least(16), .meaning = "number of landmarks"});
+  visit(o.relaxation_rounds,
+        {.name = "relaxation_rounds", .range = at_least(0), .meaning = "rounds of Lloyd relaxation"});
+}
 
 /// Isotropic remeshing of the dense mean `surface` after \cite fuhrmann2010, in another order: halfedge
 /// collapses down to (or edge splits up to) exactly options.landmarks vertices, the edge that is shortest in
@@ -47,15 +41,9 @@ struct RemeshOptions {
 ///
 /// \param density  samples per area up to a factor, per vertex of `surface`, > 0; see curvature_density()
 ///
-/// Throws InvalidInput (fewer than 16 landmarks, a density that is not positive, a map with flipped
-/// triangles) or ConvergenceError (the surface cannot be thinned out that far).
+/// Throws InvalidInput (an option out of its range: fewer than 16 landmarks cannot triangulate most tori
+/// without joining two of them twice; a density that is not positive; a map with flipped triangles) or ConvergenceError (the surface cannot be thinned out that far).
 LandmarkMesh remesh(const Mesh& surface, const TorusMap& map, const VertexMap<double>& density,
                     const RunContext& ctx, const RemeshOptions& options = {});
-
-/// \f$ ((|K| + H^2) / 2)^{contrast} \f$ per vertex, \cite fuhrmann2010, clamped at the 99 % quantile of the
-/// curvature, scaled to a largest value of 1, raised to the floor, smoothed. K and H come from the
-/// normal-cycle curvature tensor (\cite cohensteiner2003) averaged over options.curvature_radius, in which
-/// the steps of a voxel surface cancel.
-VertexMap<double> curvature_density(const Mesh& surface, const RemeshOptions& options = {});
 
 }  // namespace foramen

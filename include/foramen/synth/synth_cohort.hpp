@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 
 namespace foramen {
@@ -26,6 +27,26 @@ struct SynthOptions {
   int vertices =
       10000;  ///< of a shape, within 5 %; at least 1500, since larger triangles would bridge thin processes
 };
+
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<SynthOptions> auto& o) {
+  visit(o.shapes, {.name = "shapes", .range = at_least(1).up_to(100000), .meaning = "number of shapes"});
+  visit(o.seed, {.name = "seed", .meaning = "seed of all random numbers"});
+  visit(o.modes, {.name = "modes",
+                  .range = at_least(0).up_to(1000),
+                  .meaning = "true modes of variation; 0: every shape its own deformation"});
+  visit(o.amplitude_mm, {.name = "amplitude",
+                         .unit = "mm",
+                         .range = at_least(0).up_to(20),
+                         .meaning = "RMS displacement of a coordinate"});
+  visit(o.correlation_mm, {.name = "correlation",
+                           .unit = "mm",
+                           .range = at_least(5).up_to(500),
+                           .meaning = "correlation length of the displacement"});
+  visit(
+      o.vertices,
+      {.name = "vertices", .range = at_least(1500).up_to(1000000), .meaning = "vertices of a shape, about"});
+}
 
 struct SynthShape {
   TriangleSoup surface;  ///< its own triangulation, shuffled, in a random pose

@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// A concept for function templates that take a value to read from or to change.
+
+#include <concepts>
+#include <type_traits>
+
+namespace foramen {
+
+/// `Value` is T or const T.
+template <class Value, class T>
+concept MaybeConst = std::same_as<std::remove_const_t<Value>, T>;
+
+}  // namespace foramen

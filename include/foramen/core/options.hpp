@@ -1,0 +1,168 @@
+#pragma once
+/// \file
+/// What is said of an option, once. The command line with its help, run.json, the keywords of Python and the
+/// keys of kept results are all made from these descriptions.
+///
+/// A struct of options has, beside it, a function that names its fields in the order in which they are shown:
+///
+///     struct SurfaceTargetsOptions {
+///       double reach_mm = 4;
+///     };
+///     template <class Visitor>
+///     void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
+///       visit(o.reach_mm, {.name = "reach", .unit = "mm", .range = above(0), .meaning = "..."});
+///     }
+///
+/// A field is a number, a bool, a string, an enumeration with EnumWords, an optional or a vector of these, a
+/// vector of described structs, or a described struct. A test counts the fields of every described struct, so
+/// that none is forgotten.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "foramen/core/byte_archive.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/core/maybe_const.hpp"
+#include "foramen/core/option_range.hpp"
+
+namespace foramen {
+
+/// How the options of a struct within a struct are named.
+enum class Nesting {
+  object,    ///< outer.inner
+  prefixed,  ///< outer_inner
+  inlined    ///< inner
+};
+
+struct OptionText {
+  std::string_view name = {};         ///< in snake_case, without the unit
+  std::string_view unit = {};         ///< "mm", "mm^2", "medians" ...; empty: a pure number or no number
+  OptionRange range = {};             ///< of a number, or of every number of a list
+  std::string_view meaning = {};      ///< for people: what it decides; without unit, range and default
+  Nesting nesting = Nesting::object;  ///< of a described struct
+};
+
+/// The words for the values of an enumeration, specialised beside it:
+///
+///     template <>
+///     struct EnumWords<Bending> {
+///       static constexpr std::pair<std::string_view, Bending> all[] = {{"rigid", Bending::rigid}, ...};
+///     };
+template <class Enum>
+struct EnumWords;
+
+/// The word of a value; InternalError if it has none.
+template <class Enum>
+std::string_view word_of(Enum value) {
+  for (const auto& [word, meaning] : EnumWords<Enum>::all)
+    if (meaning == value) return word;
+  throw InternalError("a value of an enumeration has no word");
+}
+
+/// The value of a word; nothing if no value has it.
+template <class Enum>
+std::optional<Enum> value_of(std::string_view wanted) {
+  for (const auto& [word, value] : EnumWords<Enum>::all)
+    if (word == wanted) return value;
+  return std::nullopt;
+}
+
+namespace detail {
+struct AnyVisitor {
+  void operator()(auto& field, const OptionText& text);
+};
+}  // namespace detail
+
+/// A struct that has a description.
+template <class T>
+concept DescribedOptions = std::is_class_v<std::remove_const_t<T>> &&
+    requires(detail::AnyVisitor& visitor, T& options) {
+  describe(visitor, options);
+};
+
+/// Calls use(path, field, text) for every option of a struct and of the structs within it. The path names the
+/// option within the whole, e.g. "group.template_vertices".
+template <DescribedOptions Options, class Use>
+void for_each_option(Options& options, const Use& use, const std::string& prefix = {}) {
+  const auto visit = [&](auto& field, const OptionText& text) {
+    std::string path = prefix;
+    if (text.nesting != Nesting::inlined) path += text.name;
+    if constexpr (DescribedOptions<std::remove_reference_t<decltype(field)>>) {
+      if (text.nesting == Nesting::object) path += '.';
+      if (text.nesting == Nesting::prefixed) path += '_';
+      for_each_option(field, use, path);
+    } else {
+      use(path, field, text);
+    }
+  };
+  describe(visit, options);
+}
+
+/// Name and unit: "reach_mm", "lambda_mm2", "rejection_medians"; the name alone without a unit.
+std::string name_with_unit(std::string_view name, std::string_view unit);
+
+namespace detail {
+template <class Field>
+void add_option_bytes(ByteWriter& writer, const Field& field);
+
+template <class Options>
+void add_options_bytes(ByteWriter& writer, const Options& options) {
+  for_each_option(options, [&](const std::string& path, const auto& field, const OptionText&) {
+    writer(path);
+    add_option_bytes(writer, field);
+  });
+}
+
+template <class Field>
+void add_option_bytes(ByteWriter& writer, const Field& field) {
+  if constexpr (is_vector<Field>) {
+    writer(std::ssize(field));
+    for (const auto& item : field)
+      if constexpr (DescribedOptions<const typename Field::value_type>)
+        add_options_bytes(writer, item);
+      else
+        writer(item);
+  } else {
+    writer(field);
+  }
+}
+
+/// Throws InvalidInput unless the number is in the range.
+void check_option(std::string_view where, std::string_view name, double value, const OptionText& text);
+}  // namespace detail
+
+/// All options by name and value, for keys: two structs have the same bytes if and only if all their options
+/// are the same, to the last bit.
+template <DescribedOptions Options>
+std::string option_bytes(const Options& options) {
+  ByteWriter writer;
+  detail::add_options_bytes(writer, options);
+  return writer.take();
+}
+
+/// Throws InvalidInput, naming the option, its value and its range, for the first number out of its range.
+/// \param where  the function whose options they are
+template <DescribedOptions Options>
+void check_options(std::string_view where, const Options& options) {
+  for_each_option(options, [&](const std::string& path, const auto& field, const OptionText& text) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if constexpr (std::is_arithmetic_v<Field> && !std::is_same_v<Field, bool>) {
+      detail::check_option(where, path, static_cast<double>(field), text);
+    } else if constexpr (detail::is_optional<Field>) {
+      if constexpr (std::is_arithmetic_v<typename Field::value_type>)
+        if (field) detail::check_option(where, path, static_cast<double>(*field), text);
+    } else if constexpr (detail::is_vector<Field>) {
+      for (const auto& item : field)
+        if constexpr (DescribedOptions<const typename Field::value_type>)
+          check_options(where, item);
+        else if constexpr (std::is_arithmetic_v<typename Field::value_type>)
+          detail::check_option(where, path, static_cast<double>(item), text);
+    }
+  });
+}
+
+}  // namespace foramen

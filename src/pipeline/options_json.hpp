@@ -1,0 +1,71 @@
+#pragma once
+/// \file
+/// Described options as JSON, by their names with units.
+
+#include <nlohmann/json.hpp>
+
+#include "foramen/core/options.hpp"
+
+namespace foramen {
+
+template <DescribedOptions Options>
+nlohmann::ordered_json described_json(const Options& options);
+
+template <class Field>
+nlohmann::ordered_json option_json(const Field& field) {
+  if constexpr (std::is_enum_v<Field>) {
+    return word_of(field);
+  } else if constexpr (detail::is_optional<Field>) {
+    return field ? option_json(*field) : nlohmann::ordered_json();
+  } else if constexpr (detail::is_vector<Field>) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const auto& item : field)
+      if constexpr (DescribedOptions<const typename Field::value_type>)
+        list.push_back(described_json(item));
+      else
+        list.push_back(option_json(item));
+    return list;
+  } else {
+    return field;
+  }
+}
+
+/// A path of options as a pointer to its place in the object; the last name has its unit.
+inline nlohmann::ordered_json::json_pointer option_pointer(const std::string& path, const OptionText& text) {
+  std::string place("/");
+  place += name_with_unit(path, text.unit);
+  for (char& c : place)
+    if (c == '.') c = '/';
+  return nlohmann::ordered_json::json_pointer(place);
+}
+
+/// An object with an entry for every option; those of a struct within it are objects of their own where the
+/// description says so.
+template <DescribedOptions Options>
+nlohmann::ordered_json described_json(const Options& options) {
+  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+  for_each_option(options, [&](const std::string& path, const auto& field, const OptionText& text) {
+    object[option_pointer(path, text)] = option_json(field);
+  });
+  return object;
+}
+
+/// Sets every option from such an object. Throws nlohmann::json::exception for one that is missing or of
+/// another kind, InvalidInput for a word that is none of the option's. \pre no lists and no optional values
+template <DescribedOptions Options>
+void set_options(Options& options, const nlohmann::ordered_json& object) {
+  for_each_option(options, [&](const std::string& path, auto& field, const OptionText& text) {
+    using Field = std::remove_reference_t<decltype(field)>;
+    const nlohmann::ordered_json& found = object.at(option_pointer(path, text));
+    if constexpr (std::is_enum_v<Field>) {
+      const auto word = found.template get<std::string>();
+      const auto value = value_of<Field>(word);
+      if (!value) throw InvalidInput(path + " is " + word + ", which is none of its values");
+      field = *value;
+    } else {
+      field = found.template get<Field>();
+    }
+  });
+}
+
+}  // namespace foramen
