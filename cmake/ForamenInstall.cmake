@@ -8,6 +8,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/foramenConfig.cmake.in
                               INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(foramenConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/foramenConfig.cmake ${PROJECT_BINARY_DIR}/foramenConfigVersion.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/Findlibmd.cmake
         DESTINATION ${package_dir})
 # One export set a module, so that a consumer of `model` need not have what `io` links.
 foreach(module IN LISTS modules)

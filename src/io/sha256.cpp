@@ -1,78 +1,33 @@
 #include "foramen/io/sha256.hpp"
 
-#include <algorithm>
-#include <bit>
-#include <cstring>
+#include <sha2.h>
+
 #include <fstream>
 #include <vector>
 
 #include "foramen/core/error.hpp"
 
 namespace foramen {
-namespace {
 
-// The first 32 bits of the fractional parts of the cube roots of the first 64 primes. [FIPS 180-4, 4.2.2]
-constexpr std::array<std::uint32_t, 64> round_constants{
-    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
-    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
-    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
-    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
-    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
-    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
-    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
-    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
+struct Sha256::State {
+  SHA2_CTX context;
+};
 
-constexpr std::size_t block_bytes = 64, length_bytes = 8;
+Sha256::Sha256() : state_(std::make_unique<State>()) { SHA256Init(&state_->context); }
 
-}  // namespace
-
-void Sha256::block(const unsigned char* bytes) {
-  std::array<std::uint32_t, 64> w{};
-  for (std::size_t i = 0; i < 16; ++i)
-    w[i] = static_cast<std::uint32_t>(bytes[4 * i]) << 24 |
-           static_cast<std::uint32_t>(bytes[4 * i + 1]) << 16 |
-           static_cast<std::uint32_t>(bytes[4 * i + 2]) << 8 | static_cast<std::uint32_t>(bytes[4 * i + 3]);
-  for (std::size_t i = 16; i < 64; ++i) {
-    const std::uint32_t s0 = std::rotr(w[i - 15], 7) ^ std::rotr(w[i - 15], 18) ^ (w[i - 15] >> 3);
-    const std::uint32_t s1 = std::rotr(w[i - 2], 17) ^ std::rotr(w[i - 2], 19) ^ (w[i - 2] >> 10);
-    w[i] = w[i - 16] + s0 + w[i - 7] + s1;
-  }
-  auto [a, b, c, d, e, f, g, h] = state_;
-  for (std::size_t i = 0; i < 64; ++i) {
-    const std::uint32_t s1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
-    const std::uint32_t t1 = h + s1 + ((e & f) ^ (~e & g)) + round_constants[i] + w[i];
-    const std::uint32_t s0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);
-    const std::uint32_t t2 = s0 + ((a & b) ^ (a & c) ^ (b & c));
-    h = g, g = f, f = e, e = d + t1, d = c, c = b, b = a, a = t1 + t2;
-  }
-  const std::array<std::uint32_t, 8> sum{a, b, c, d, e, f, g, h};
-  for (std::size_t i = 0; i < 8; ++i) state_[i] += sum[i];
-}
+Sha256::~Sha256() = default;
 
 Sha256& Sha256::update(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const std::size_t used = length_ % block_bytes;
-    const std::size_t taken = std::min(bytes.size(), block_bytes - used);
-    std::memcpy(pending_.data() + used, bytes.data(), taken);
-    length_ += taken;
-    bytes.remove_prefix(taken);
-    if (used + taken == block_bytes) block(pending_.data());
-  }
+  SHA256Update(&state_->context, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
   return *this;
 }
 
 std::string Sha256::hex() const {
-  Sha256 last = *this;
-  const std::uint64_t bits = 8 * length_;
-  std::string padding(1, '\x80');
-  while ((length_ + padding.size() + length_bytes) % block_bytes != 0) padding += '\0';
-  for (int shift = 56; shift >= 0; shift -= 8) padding += static_cast<char>(bits >> shift & 0xff);
-  last.update(padding);
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string out;
-  for (std::uint32_t word : last.state_)
-    for (int shift = 28; shift >= 0; shift -= 4) out += digits[word >> shift & 0xf];
-  return out;
+  SHA2_CTX last = state_->context;  // SHA256End() erases it
+  std::string digits(SHA256_DIGEST_STRING_LENGTH - 1, '0');
+  SHA256End(&last,
+            digits.data());  // writes the closing zero, too, which a string has behind its last character
+  return digits;
 }
 
 std::string sha256(std::string_view bytes) { return Sha256().update(bytes).hex(); }

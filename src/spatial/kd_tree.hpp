@@ -43,6 +43,7 @@ class Neighbours {
     if (!full()) return std::numeric_limits<double>::infinity();
     return kept_.back().squared_distance * tie_slack + std::numeric_limits<double>::min();
   }
+  void sort() {}  // nanoflann asks for it since 1.6; these are always sorted
   std::vector<NearPoint> take() { return std::move(kept_); }
 
  private:
@@ -65,6 +66,7 @@ class NearestOnly {
     if (!full()) return std::numeric_limits<double>::infinity();
     return best_.squared_distance * tie_slack + std::numeric_limits<double>::min();
   }
+  void sort() {}  // as above
   const NearPoint& best() const { return best_; }
 
  private:

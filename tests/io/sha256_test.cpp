@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "foramen/core/error.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -30,6 +32,21 @@ TEST(Sha256, CutsDoNotMatter) {
       EXPECT_EQ(hash.update(std::string_view(bytes).substr(cut, length - cut)).hex(),
                 sha256(std::string_view(bytes).substr(0, length)));
     }
+}
+
+// Pieces of every length from none to more than two blocks: they begin and end everywhere in a block.
+TEST(Sha256, ManyPieces) {
+  std::string bytes;
+  for (int i = 0; i < 20000; ++i) bytes += static_cast<char>(i * i % 251);
+  for (const std::size_t longest : {1U, 7U, 64U, 150U}) {
+    Sha256 hash;
+    std::size_t length = 0;
+    for (std::string_view rest = bytes; !rest.empty(); rest.remove_prefix(std::min(length, rest.size()))) {
+      length = (length + 1) % (longest + 1);
+      hash.update(rest.substr(0, length));
+    }
+    EXPECT_EQ(hash.hex(), sha256(bytes)) << "pieces of up to " << longest << " bytes";
+  }
 }
 
 TEST(Sha256, OfAFile) {
