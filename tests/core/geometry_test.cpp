@@ -36,5 +36,18 @@ TEST(Geometry, NormalsTurnWithTheMesh) {
   for (VertexId v : mesh.vertices()) EXPECT_NEAR((motion.linear() * before[v] - after[v]).norm(), 0, 1e-12);
 }
 
+// A triangle counts by its area, however it is cut up.
+TEST(Geometry, CentroidOfASurfaceIsWeightedByArea) {
+  // Two triangles of areas 1/2 and 2, and the larger again in four pieces.
+  const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {10, 0, 0}, {12, 0, 0}, {10, 2, 0}};
+  const Vec3 expected = (0.5 * Vec3(1, 1, 0) / 3 + 2 * Vec3(32, 2, 0) / 3) / 2.5;
+  const Mesh two = build_mesh({corners, {{0, 1, 2}, {3, 4, 5}}});
+  EXPECT_LT((surface_centroid(two) - expected).norm(), 1e-12);
+  std::vector<Vec3> more = corners;
+  more.insert(more.end(), {{11, 0, 0}, {11, 1, 0}, {10, 1, 0}});
+  const Mesh cut = build_mesh({more, {{0, 1, 2}, {3, 6, 8}, {6, 4, 7}, {8, 7, 5}, {6, 7, 8}}});
+  EXPECT_LT((surface_centroid(cut) - expected).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace foramen

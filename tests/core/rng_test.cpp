@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
-#include "foramen/core/units.hpp"
-
 namespace foramen {
 namespace {
 
@@ -34,42 +30,6 @@ TEST(Rng, BelowReachesEveryValueAndNoOther) {
   std::vector<int> seen(5, 0);
   for (int i = 0; i < 1000; ++i) ++seen.at(static_cast<std::size_t>(rng.below(5)));
   for (int count : seen) EXPECT_GT(count, 100);
-}
-
-TEST(ParallelFor, GivesTheErrorOfAnItemAndStopsOnRequest) {
-  for (int threads : {1, 2, 4}) {
-    const RunContext ctx(threads);
-    std::vector<int> done(100, 0);
-    parallel_for(100, ctx, [&](int i) { done[static_cast<std::size_t>(i)] = i; });
-    for (int i = 0; i < 100; ++i) EXPECT_EQ(done[static_cast<std::size_t>(i)], i);
-    EXPECT_THROW(parallel_for(100, ctx,
-                              [](int i) {
-                                if (i == 50) throw InvalidInput("50");
-                              }),
-                 InvalidInput);
-    ctx.request_stop();
-    EXPECT_THROW(parallel_for(100, ctx, [](int) {}), Cancelled);
-  }
-}
-
-TEST(RunContext, WithoutProgressStillStops) {
-  int reports = 0;
-  const RunContext ctx(1, [&](const Progress&) { ++reports; });
-  const RunContext silent = ctx.without_progress();
-  silent.step("part", 0.5);
-  EXPECT_EQ(reports, 0);
-  ctx.step("whole", 0.5);
-  EXPECT_EQ(reports, 1);
-  ctx.request_stop();
-  EXPECT_THROW(silent.step("part", 1), Cancelled);
-}
-
-TEST(Units, LikelyUnitOfAVertebra) {
-  EXPECT_EQ(likely_unit(100), std::nullopt);
-  EXPECT_EQ(likely_unit(0.1), LengthUnit::metre);
-  EXPECT_EQ(likely_unit(9), LengthUnit::centimetre);
-  EXPECT_EQ(likely_unit(90000), LengthUnit::micrometre);
-  EXPECT_EQ(likely_unit(1e9), std::nullopt);
 }
 
 }  // namespace

@@ -185,6 +185,15 @@ TEST(Generalization, ThreadsChangeNothing) {
             flat(generalization(cohort, by_subject, RunContext(3))));
 }
 
+TEST(LeftOutTogether, AreTheShapesOfASubjectInOrderOfItsFirst) {
+  using Groups = std::vector<std::vector<int>>;
+  const std::vector<std::string> subjects{"b", "a", "b", "c", "a", "b"};
+  EXPECT_EQ(left_out_together(6, subjects, LeaveOut::subject), (Groups{{0, 2, 5}, {1, 4}, {3}}));
+  EXPECT_EQ(left_out_together(3, subjects, LeaveOut::shape), (Groups{{0}, {1}, {2}}));
+  EXPECT_EQ(left_out_together(3, {}, LeaveOut::shape), (Groups{{0}, {1}, {2}}));
+  EXPECT_TRUE(left_out_together(0, {}, LeaveOut::subject).empty());
+}
+
 TEST(Generalization, RefusesWhatCannotBeLeftOut) {
   CorrespondingCohort cohort = torus_cohort({.shapes = 4});
   cohort.subjects = {"a", "a", "a", "b"};

@@ -50,6 +50,23 @@ TEST(WriteFile, FailureLeavesTheOldFile) {
   EXPECT_EQ(folder.size(), 1);
 }
 
+TEST(RemoveLeftovers, TakesWhatAKilledWriterLeftAndNothingElse) {
+  const TemporaryFolder folder;
+  folder.file("kept.json", "whole");
+  folder.file(".hidden", "the user's");
+  // The temporary as a writer that is killed leaves it, in a folder of its own.
+  write_file_with(folder.file("model.h5"), [&](const std::filesystem::path& temporary) {
+    std::ofstream(temporary) << "half";
+    std::filesystem::create_directory(folder.file("later"));
+    std::filesystem::copy_file(temporary, folder.file("later") / temporary.filename());
+  });
+  remove_leftovers(folder.path());
+  EXPECT_EQ(folder.size(), 4) << "nothing here was left over";
+  remove_leftovers(folder.file("later"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("later")));
+  EXPECT_NO_THROW(remove_leftovers(folder.file("no such folder")));
+}
+
 TEST(WriteFile, RefusesPlacesThatCannotBeReplaced) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.file("folder"));

@@ -133,6 +133,27 @@ TEST(DistortionTerm, ClampingRemovesExactlyTheNegativeEigenvalues) {
   EXPECT_GT(indefinite, 20);
 }
 
+// In between, the Hessian is the mixture of the clamped and the true one; where nothing was clamped, both are
+// the same.
+TEST(DistortionTerm, DampingMixesTheClampedAndTheTrueHessian) {
+  Rng rng(5);
+  int indefinite = 0;
+  for (int k = 0; k < 200; ++k) {
+    const RestTriangle rest = rest_triangle(random_surface(rng), 1);
+    const Vec4 q = edges_of(random_plane(rng));
+    const DistortionTerm exact = distortion_term(rest, q, false), clamped = distortion_term(rest, q);
+    if ((exact.hessian - clamped.hessian).norm() > 1e-9 * exact.hessian.norm()) ++indefinite;
+    for (const double kept : {0.0, 0.3, 1.0}) {
+      const DistortionTerm damped = damped_distortion_term(rest, q, kept);
+      const Mat4 expected = kept * exact.hessian + (1 - kept) * clamped.hessian;
+      EXPECT_NEAR((damped.hessian - expected).norm() / expected.norm(), 0, 1e-12);
+      EXPECT_EQ(damped.value, exact.value);
+      EXPECT_EQ(damped.gradient, exact.gradient);
+    }
+  }
+  EXPECT_GT(indefinite, 20);
+}
+
 TEST(DistortionTerm, IsFiniteWhereSingularValuesCoincide) {
   const RestTriangle rest = rest_triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, 1);
   const DistortionTerm term = distortion_term(rest, Vec4(1, 0, 0, 1));
