@@ -13,7 +13,7 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/core/stage_store.hpp"
-#include "foramen/correspond/registered_archive.hpp"
+#include "correspond/registered_archive.hpp"
 #include "pipeline/place_landmarks.hpp"
 
 namespace foramen {

@@ -8,7 +8,7 @@
 
 #include "foramen/core/geometry.hpp"
 #include "foramen/render/vertebra_scenes.hpp"
-#include "foramen/resample/lift_to_surface.hpp"
+#include "foramen/sampling/lift_to_surface.hpp"
 
 namespace foramen {
 namespace {

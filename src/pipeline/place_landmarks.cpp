@@ -7,9 +7,9 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/correspond/icp_baseline.hpp"
-#include "foramen/resample/lift_to_surface.hpp"
-#include "foramen/resample/refine_landmarks.hpp"
-#include "foramen/resample/torus_grid.hpp"
+#include "foramen/sampling/lift_to_surface.hpp"
+#include "foramen/sampling/refine_landmarks.hpp"
+#include "foramen/sampling/torus_grid.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
 namespace foramen {

@@ -9,7 +9,7 @@
 #include "foramen/core/parallel.hpp"
 #include "foramen/core/stage_store.hpp"
 #include "foramen/correspond/icp_baseline.hpp"
-#include "foramen/resample/lift_to_surface.hpp"
+#include "foramen/sampling/lift_to_surface.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "pipeline/model_archive.hpp"
 

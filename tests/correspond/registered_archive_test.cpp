@@ -1,6 +1,6 @@
 // What is kept of a registration comes back whole: every number is set to one of its own, so that one that is
 // not kept, or two that are exchanged, show.
-#include "foramen/correspond/registered_archive.hpp"
+#include "correspond/registered_archive.hpp"
 
 #include <gtest/gtest.h>
 

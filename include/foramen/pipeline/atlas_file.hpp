@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/resample/remesh.hpp"
+#include "foramen/sampling/remesh.hpp"
 
 namespace foramen {
 

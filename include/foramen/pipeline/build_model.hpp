@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "foramen/core/options.hpp"
-#include "foramen/groupwise/register_group.hpp"
+#include "foramen/correspond/register_group.hpp"
 #include "foramen/model/landmark_weights.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "foramen/pipeline/read_cohort.hpp"
-#include "foramen/resample/curvature_density.hpp"
-#include "foramen/resample/error_density.hpp"
-#include "foramen/resample/remesh.hpp"
+#include "foramen/sampling/curvature_density.hpp"
+#include "foramen/sampling/error_density.hpp"
+#include "foramen/sampling/remesh.hpp"
 
 namespace foramen {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "foramen/evaluate/generalization.hpp"
-#include "foramen/groupwise/mean_registrar.hpp"
+#include "foramen/correspond/mean_registrar.hpp"
 #include "foramen/pipeline/atlas_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 

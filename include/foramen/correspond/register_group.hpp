@@ -1,0 +1,163 @@
+#pragma once
+/// \file
+/// Correspondence of a whole cohort: every shape's map to one torus, through a template that becomes the
+/// mean.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foramen/core/options.hpp"
+#include "foramen/correspond/deform_template.hpp"
+#include "foramen/correspond/register_shape.hpp"
+#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/correspond/surface_targets.hpp"
+#include "foramen/correspond/cohort_prior.hpp"
+#include "foramen/correspond/description_length.hpp"
+#include "foramen/correspond/mean_template.hpp"
+
+namespace foramen {
+
+/// Where the distortion of a shape's map is measured.
+enum class DistortionMeasure {
+  on_template,  ///< of the map shape -> template: TemplateMetric
+  in_plane,     ///< of the map shape -> flat torus
+};
+template <>
+struct EnumWords<DistortionMeasure> {
+  static constexpr std::pair<std::string_view, DistortionMeasure> all[] = {
+      {"template", DistortionMeasure::on_template}, {"plane", DistortionMeasure::in_plane}};
+};
+
+/// How the template is brought onto a shape before targets are sought on it.
+enum class Bending {
+  cohort,  ///< deform_template(); from the first round with a mean on with what the other shapes tell:
+           ///< cohort_priors()
+  smooth,  ///< deform_template(), each shape by itself
+  rigid,   ///< aligned only
+};
+template <>
+struct EnumWords<Bending> {
+  static constexpr std::pair<std::string_view, Bending> all[] = {
+      {"cohort", Bending::cohort}, {"smooth", Bending::smooth}, {"rigid", Bending::rigid}};
+};
+
+struct RegisterGroupOptions {
+  InitialMap initial_map = InitialMap::torus;
+  EdgeCost edge_cost = EdgeCost::length_weighted;
+  double lambda = 0.5;
+  int working_vertices = 10000;
+  double relative_tolerance = 1e-4;
+  int iteration_limit = 200;
+  TemplateOptions mean = {};
+  DistortionMeasure distortion = DistortionMeasure::on_template;
+  Bending bending = Bending::cohort;
+  SmoothDisplacementOptions displacements = {};
+  CohortPriorOptions cohort = {};
+  DeformTemplateOptions first = {};
+  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};
+  SurfaceTargetsOptions targets = {};
+  int metric_updates = 2;
+  int round_limit = 4;
+  double still_mm = 0.15;  ///< With Bending::cohort the rounds end after two at the earliest.
+  int description_rounds = 0;
+  DescriptionLengthOptions description = {};
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
+  visit(o.lambda, {.name = "lambda",
+                   .unit = "mm^2",
+                   .range = above(0),
+                   .meaning = "weight of distortion against the squared distance to the targets"});
+  visit(o.initial_map, {.name = "initial_map", .meaning = "first map of a shape"});
+  visit(o.edge_cost, {.name = "edge_cost", .meaning = "cost of an edge when loops are carried to a shape"});
+  visit(o.distortion, {.name = "distortion",
+                       .meaning = "where distortion is measured: on the template, or in the flat torus"});
+  visit(
+      o.bending,
+      {.name = "bending",
+       .meaning =
+           "how the template is brought onto a shape: bent, with what the other shapes tell or each by itself, or only aligned"});
+  visit(o.round_limit,
+        {.name = "rounds",
+         .range = at_least(0).up_to(100),
+         .meaning = "most rounds with the mean as template; 0: the reference stays the template"});
+  visit(o.still_mm, {.name = "still",
+                     .unit = "mm",
+                     .range = at_least(0),
+                     .meaning = "RMS motion of the mean below which the rounds end"});
+  visit(
+      o.metric_updates,
+      {.name = "metric_updates",
+       .range = at_least(1),
+       .meaning =
+           "optimisations of a map in a round, each with the template's metric where the last one left the map"});
+  visit(o.description_rounds,
+        {.name = "description_rounds",
+         .range = at_least(0),
+         .meaning = "further rounds in which the description length of the cohort draws the maps"});
+  visit(o.description, {.name = "description", .nesting = Nesting::prefixed});
+  visit(o.mean, {.name = "template", .nesting = Nesting::prefixed});
+  visit(o.displacements, {.name = "displacement", .nesting = Nesting::prefixed});
+  visit(o.cohort, {.name = "cohort", .nesting = Nesting::prefixed});
+  visit(o.first, {.name = "bending_first"});
+  visit(o.again, {.name = "bending_again"});
+  visit(o.targets, {.name = "targets", .nesting = Nesting::prefixed});
+  visit(o.working_vertices, {.name = "working_vertices",
+                             .range = at_least(16),
+                             .meaning = "vertices of the simplified meshes that carry the search"});
+  visit(o.relative_tolerance, {.name = "relative_tolerance",
+                               .range = above(0),
+                               .meaning = "relative decrease of the energy at which an optimisation stops"});
+  visit(o.iteration_limit,
+        {.name = "iteration_limit", .range = at_least(1), .meaning = "most iterations of an optimisation"});
+}
+
+struct GroupMember {
+  std::optional<RegisteredShape> registered;  ///< unset: left out
+  std::string failure;                        ///< why
+  double seconds = 0;                         ///< of this shape alone
+};
+
+/// What the last round registered all shapes to.
+struct GroupTemplate {
+  int rounds = 0;           ///< with a mean as template; 0: the reference was the only one, the rest is empty
+  TemplateSurface surface;  ///< see MeanTemplate
+  std::vector<Vec3> grid;   ///< see MeanTemplate
+  DisplacementPrior prior;  ///< of a newcomer's displacement: see CohortPriors
+};
+
+struct GroupRegistration {
+  std::vector<GroupMember> members;  ///< one per shape
+  GroupTemplate last_template;
+  std::vector<double> template_motion_mm;   ///< RMS motion of the mean from round to round
+  std::vector<double> unexplained_shares;   ///< with Bending::cohort, of every round: see CohortPriors
+  std::vector<double> description_lengths;  ///< before each of the rounds by it, and after the last
+};
+
+/// Registers all shapes with each other.
+///
+/// First each shape by itself: rigid alignment to the reference, the reference bent onto it
+/// (deform_template()), loops and first map by the reference's (first_map(), compared where the shape would
+/// lie if it were bent back), and the map that brings every vertex to its place on the reference
+/// (SurfaceTargets) with the least distortion of the map shape -> reference, without a flipped triangle. Then
+/// rounds with the Procrustes mean of all shapes as template, so that no shape is the favourite. In the end
+/// each map is carried to the shape's input mesh, optimised there and certified; its homology is checked anew
+/// (require_reference_homology()) and its direction compared with the reference's (map_agreement()).
+///
+/// A shape that fails a check is left out, with the reason, and the rest go on. The reference is a shape like
+/// the others once the mean is the template.
+GroupRegistration register_group(const std::vector<Mesh>& shapes, const Reference& reference,
+                                 int reference_index, const RunContext& ctx,
+                                 const RegisterGroupOptions& options = {});
+
+/// Registers one more shape to a group that stays as it is: as a member, but to the group's last template
+/// only, for as many rounds as the members had. On one thread.
+/// \param reference  the group's, with the map it was given or the one it has in the group
+/// \param options  the group's
+/// Throws TopologyError or ConvergenceError with the reason if any check fails; InvalidInput for
+/// description_rounds > 0.
+RegisteredShape register_to_group(const Mesh& shape, const Reference& reference, const GroupTemplate& group,
+                                  const RunContext& ctx, const RegisterGroupOptions& options = {});
+
+}  // namespace foramen

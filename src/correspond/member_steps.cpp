@@ -1,0 +1,155 @@
+#include "correspond/member_steps.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/correspond/description_objective.hpp"
+#include "foramen/parameterize/refine_map.hpp"
+#include "foramen/spatial/point_index.hpp"
+
+namespace foramen {
+namespace {
+
+// Where the shape would lie if the bending were undone: every vertex moved back by the displacement of the
+// bent template's nearest vertex.
+Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vector<Vec3>& bent) {
+  const auto normals = vertex_normals(shape);
+  const auto bent_normals = vertex_normals(surface.mesh.with_positions(bent));
+  const OrientedPointIndex index(bent, bent_normals.values(), vertebra_normal_weight_mm);
+  std::vector<Vec3> positions;
+  positions.reserve(bent.size());
+  for (VertexId v : shape.vertices()) {
+    const int near = index.nearest(shape.position(v), normals[v]).index;
+    positions.push_back(shape.position(v) + surface.mesh.position(VertexId(near)) -
+                        bent[static_cast<std::size_t>(near)]);
+  }
+  return shape.with_positions(std::move(positions));
+}
+
+}  // namespace
+
+RigidTransform rigid(const SimilarityTransform& transform) {
+  RigidTransform out = RigidTransform::Identity();
+  out.linear() = transform.rotation;
+  out.translation() = transform.translation;
+  return out;
+}
+
+PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options)
+    : surface(std::move(made)),
+      metric(surface),
+      displacements(options.bending == Bending::rigid
+                        ? Eigen::MatrixXd()
+                        : smooth_displacements(surface.mesh.positions(), options.displacements)) {}
+
+OptimiseMapOptions MemberSteps::optimise_options() const {
+  return {.lambda = options_.lambda,
+          .relative_tolerance = options_.relative_tolerance,
+          .iteration_limit = options_.iteration_limit};
+}
+
+WorkingMesh MemberSteps::simplified(const Mesh& input) const {
+  return simplify(input, single_, {.target_vertices = options_.working_vertices});
+}
+
+void MemberSteps::begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to,
+                        const DisplacementPrior& prior) const {
+  RegisteredShape& result = member.result;
+  result.alignment = to_reference;
+  member.to_template = result.alignment.transform;
+  const Mesh aligned = transformed(member.working.mesh, member.to_template);
+  member.bent = bent_onto(aligned, to, options_.first, {}, prior);
+
+  const Mesh carried = bent_back(aligned, to.surface, member.bent);
+  FirstMap first = first_map(carried, aligned, reference_.loops, options_.initial_map, options_.edge_cost);
+  result.homology = first.homology;
+  result.seifert = first.seifert;
+  first.map.lattice = to.surface.map.lattice;
+  member.map.map =
+      translated_onto(std::move(first.map), carried, reference_.mesh(), reference_.shape_map.map);
+  const auto targets = objective(member, aligned, to);
+  // The metric means nothing yet where the vertices are still far from their targets.
+  member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), targets.get());
+  const double energy = member.map.initial_energy;
+  improve(member, aligned, to);
+  member.map.initial_energy = energy;
+}
+
+void MemberSteps::place(Member& member, const PreparedTemplate& to) const {
+  const TorusLocator locator(member.working.mesh, member.map.map);
+  member.bent = transformed(lift_to_surface(locator, to.surface.map.turns.values()), member.to_template);
+}
+
+void MemberSteps::again(Member& member, const PreparedTemplate& to, const DisplacementPrior& prior) const {
+  const Mesh aligned = transformed(member.working.mesh, member.to_template);
+  member.bent = bent_onto(aligned, to, options_.again, member.bent, prior);
+  improve(member, aligned, to);
+}
+
+void MemberSteps::newcomer_round(Member& member, std::span<const Vec2> turns,
+                                 std::span<const Vec3> on_template, const PreparedTemplate& to,
+                                 const DisplacementPrior& prior) const {
+  const TorusLocator locator(member.working.mesh, member.map.map);
+  const std::vector<Vec3> lifted = lift_to_surface(locator, turns);
+  member.to_template = rigid(fit_similarity(lifted, on_template, ScaleMode::keep));
+  place(member, to);
+  again(member, to, prior);
+}
+
+std::vector<Vec3> MemberSteps::bent_onto(const Mesh& aligned, const PreparedTemplate& to,
+                                         const DeformTemplateOptions& how, std::span<const Vec3> start,
+                                         const DisplacementPrior& prior) const {
+  if (options_.bending == Bending::rigid)
+    return {to.surface.mesh.positions().begin(), to.surface.mesh.positions().end()};
+  return deform_template(to.surface.mesh, to.displacements, aligned, single_, how, start, prior);
+}
+
+OptimisedMap MemberSteps::optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
+                                    const CorrespondenceObjective& pull) const {
+  const std::optional<TargetMetric> metric = options_.distortion == DistortionMeasure::on_template
+                                                 ? std::optional(to.metric.at(aligned, start))
+                                                 : std::nullopt;
+  return optimise_map(aligned, start, single_, optimise_options(), &pull, metric ? &*metric : nullptr);
+}
+
+std::unique_ptr<CorrespondenceObjective> MemberSteps::objective(const Member& member, const Mesh& aligned,
+                                                                const PreparedTemplate& to) const {
+  if (!member.attractor.empty())
+    return std::make_unique<DescriptionObjective>(aligned, to.metric.locator(), to.surface.map,
+                                                  member.attractor);
+  return std::make_unique<SurfaceTargets>(aligned, to.surface, to.metric.tensors(), member.bent,
+                                          options_.targets);
+}
+
+void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const {
+  const auto pull = objective(member, aligned, to);
+  for (int k = 0; k < options_.metric_updates; ++k) {
+    const int before = member.map.iterations;
+    member.map = optimised(aligned, member.map.map, to, *pull);
+    member.map.iterations += before;
+  }
+  require_converged(member.map, "working");
+}
+
+void MemberSteps::finish(Member& member, const PreparedTemplate& to) const {
+  const Mesh aligned = transformed(*member.input, member.to_template);
+  const auto pull = objective(member, aligned, to);
+  const TorusMap start = refine_map(*member.input, member.working, member.map.map);
+  const OptimisedMap full = optimised(aligned, start, to, *pull);
+  require_converged(full, "input");
+  RegisteredShape& result = member.result;
+  result.shape_map = certified(*member.input, member.map, full);
+  const VertexId base = reference_.loops.loops.basepoint;
+  require_reference_homology(*member.input, result.shape_map.map, reference_.shape_map.map.turns[base],
+                             reference_.loops.seifert);
+  const Mesh beside_reference = transformed(*member.input, result.alignment.transform);
+  result.agreement =
+      map_agreement(beside_reference, result.shape_map.map, reference_.mesh(), reference_.shape_map.map);
+  if (result.agreement.minCoeff() <= 0)
+    throw TopologyError(
+        "the map of this shape runs against the reference's (the loops' directions disagree)");
+}
+
+}  // namespace foramen

@@ -1,0 +1,85 @@
+#pragma once
+/// \file
+/// What is done to each shape of a group by itself.
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "foramen/correspond/register_group.hpp"
+#include "foramen/correspond/template_metric.hpp"
+#include "foramen/simplify/working_mesh.hpp"
+
+namespace foramen {
+
+/// A template with what every shape needs of it, made once a round.
+struct PreparedTemplate {
+  TemplateSurface surface;
+  TemplateMetric metric;
+  Eigen::MatrixXd displacements;
+
+  PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options);
+};
+
+/// What the steps make of a shape, one after another: all that is kept of a finished step.
+struct MemberState {
+  RegisteredShape result;
+  OptimisedMap map;  // of the working mesh
+  RigidTransform to_template = RigidTransform::Identity();
+  std::vector<Vec3> bent;  // the template's vertices on the shape, in template coordinates
+};
+
+/// A shape on its way. Meshes in the shape's own coordinates.
+struct Member : MemberState {
+  const Mesh* input = nullptr;
+  WorkingMesh working;
+  int place_in_priors = 0;      // of the group's CohortPriors
+  std::vector<Vec3> attractor;  // as bent, what the description length draws it to; empty: bent serves
+};
+
+/// The motion of a fit that kept the scale.
+RigidTransform rigid(const SimilarityTransform& transform);
+
+/// The steps of register_group() for one shape, on one thread. All of them need of other shapes only the
+/// template.
+class MemberSteps {
+ public:
+  MemberSteps(const Reference& reference, const RunContext& ctx, const RegisterGroupOptions& options)
+      : reference_(reference), single_(ctx.with_threads(1)), options_(options) {}
+
+  WorkingMesh simplified(const Mesh& input) const;
+  /// The first map, from the rigid alignment to the reference, and its registration to the first template.
+  /// \pre the working mesh is there
+  /// \param prior  of the template's displacement onto it, if anything is known
+  void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to,
+             const DisplacementPrior& prior = {}) const;
+  /// Another template's vertices where the map has the corresponding points. \pre to_template is up to date
+  void place(Member& member, const PreparedTemplate& to) const;
+  /// Once more, to the template that was placed. \param prior  of its displacement onto the shape
+  void again(Member& member, const PreparedTemplate& to, const DisplacementPrior& prior) const;
+  /// A round by itself: the shape is aligned by where its map has these turns to where the template has them,
+  /// the template placed there and bent again.
+  void newcomer_round(Member& member, std::span<const Vec2> turns, std::span<const Vec3> on_template,
+                      const PreparedTemplate& to, const DisplacementPrior& prior) const;
+  /// The map alone, drawn to what the template bent last (or the description length) says.
+  void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
+  /// From the working mesh to the input, with all checks: fills the result.
+  void finish(Member& member, const PreparedTemplate& to) const;
+
+ private:
+  OptimiseMapOptions optimise_options() const;
+  std::vector<Vec3> bent_onto(const Mesh& aligned, const PreparedTemplate& to,
+                              const DeformTemplateOptions& how, std::span<const Vec3> start,
+                              const DisplacementPrior& prior) const;
+  /// With the distortion measured where the options say.
+  OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
+                         const CorrespondenceObjective& pull) const;
+  std::unique_ptr<CorrespondenceObjective> objective(const Member& member, const Mesh& aligned,
+                                                     const PreparedTemplate& to) const;
+
+  const Reference& reference_;
+  RunContext single_;
+  const RegisterGroupOptions& options_;
+};
+
+}  // namespace foramen

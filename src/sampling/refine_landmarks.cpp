@@ -1,0 +1,203 @@
+#include "foramen/sampling/refine_landmarks.hpp"
+
+#include <algorithm>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/parallel.hpp"
+#include "foramen/spatial/flips.hpp"
+#include "foramen/spatial/self_intersections.hpp"
+#include "sampling/landmark_repairs.hpp"
+
+namespace foramen {
+namespace {
+
+using detail::Guilt;
+using detail::GuiltTable;
+using detail::Repair;
+using detail::RepairKind;
+
+/// What is mended: flipped and degenerate triangles, or also triangles that meet.
+enum class Mending { flips, meetings };
+
+/// Whether triangles that meet count on a shape: if they should not, since its input does not meet itself.
+/// The input is looked at when it comes to that.
+enum class Watch { off, input_unknown, on };
+
+class Refinement {
+ public:
+  Refinement(const LandmarkMesh& landmarks, std::span<const LandmarkShape> shapes, Mending mending,
+             const RunContext& ctx)
+      : mesh_(landmarks.turns, landmarks.triangles, landmarks.jumps),
+        shapes_(shapes),
+        watch_(shapes.size(), mending == Mending::meetings ? Watch::input_unknown : Watch::off),
+        lifted_(shapes, mesh_, ctx),
+        ctx_(ctx),
+        guilt_(shapes.size(), std::vector<Guilt>(landmarks.triangles.size())) {
+    inspect_all();
+  }
+
+  /// Every triangle of every shape, by the definitions that are reported.
+  void inspect_all() {
+    lifted_.measure_edges(mesh_);
+    parallel_for(lifted_.shapes(), ctx_, [&](int s) {
+      const SampledFlips found = sampled_flips(lifted_.corresponding(s, mesh_), *shapes_[s].tree);
+      std::fill(guilt_[s].begin(), guilt_[s].end(), Guilt{});
+      for (FaceId f : found.confirmed) guilt_[s][f.index].flipped = 1;
+      for (FaceId f : found.degenerate) guilt_[s][f.index].flipped = 1;
+      count_meetings(s);
+    });
+  }
+
+  /// Of all triangles on all shapes.
+  Guilt guilt() const {
+    Guilt sum;
+    for (const auto& of_shape : guilt_)
+      for (const Guilt& g : of_shape) sum = sum + g;
+    return sum;
+  }
+
+  std::vector<int> guilty_faces() const {
+    std::vector<int> faces;
+    for (int f = 0; f < mesh_.face_slots(); ++f)
+      if (std::any_of(guilt_.begin(), guilt_.end(),
+                      [&](const auto& of_shape) { return of_shape[f] != Guilt{}; }))
+        faces.push_back(f);
+    return faces;
+  }
+
+  /// One change at each of these faces, where possible. Returns the number of changes.
+  int repair(const std::vector<int>& faces, detail::Insertion insertion, int insertions_left,
+             RefinedLandmarks& result) {
+    std::vector<Repair> repairs(faces.size());
+    parallel_for(static_cast<int>(faces.size()), ctx_, [&](int i) {
+      repairs[i] = detail::best_repair(mesh_, lifted_, guilt_, faces[i], insertion);
+    });
+    std::vector<char> touched(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+    std::vector<int> changed_faces;
+    int changes = 0;
+    for (const Repair& r : repairs) {
+      const bool inserts = r.kind == RepairKind::split_edge || r.kind == RepairKind::split_face;
+      if (r.kind == RepairKind::none || (inserts && insertions_left == 0)) continue;
+      if (std::any_of(r.support.begin(), r.support.end(), [&](int v) { return touched[v] != 0; })) continue;
+      const int centre = make(r, result);
+      if (centre < 0) continue;
+      if (inserts) --insertions_left;
+      ++changes;
+      for (int v : r.support) touched[v] = 1;
+      mesh_.for_each_outgoing(centre, [&](int h) { changed_faces.push_back(h / 3); });
+    }
+    inspect(changed_faces);
+    return changes;
+  }
+
+  LandmarkMesh landmark_mesh() const { return mesh_.landmark_mesh(); }
+
+ private:
+  /// Makes the change; returns a vertex whose faces include all changed ones, or -1 if it was impossible.
+  int make(const Repair& r, RefinedLandmarks& result) {
+    if (r.kind == RepairKind::flip) {
+      if (!mesh_.can_flip(r.element)) return -1;
+      ++result.flips;
+      return mesh_.from(mesh_.flip(r.element));
+    }
+    if (r.kind == RepairKind::move) {
+      mesh_.set_place(r.element, r.place);
+      lifted_.update(r.element, r.place);
+      ++result.moved;
+      return r.element;
+    }
+    const int v =
+        r.kind == RepairKind::split_edge ? mesh_.split_edge(r.element) : mesh_.split_face(r.element);
+    if (v < 0) return -1;
+    lifted_.update(v, mesh_.place(v));
+    ++result.inserted;
+    return v;
+  }
+
+  void inspect(std::vector<int>& faces) {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    parallel_for(lifted_.shapes(), ctx_, [&](int s) {
+      guilt_[s].resize(static_cast<std::size_t>(mesh_.face_slots()));
+      for (int f : faces) {
+        const auto [a, b, c] = mesh_.corners(f);
+        const bool flipped =
+            lifted_.guilty(s, {lifted_.point(s, a), lifted_.point(s, b), lifted_.point(s, c)});
+        guilt_[s][f] = {flipped, 0};
+      }
+      count_meetings(s);
+    });
+  }
+
+  void count_meetings(int s) {
+    if (watch_[s] == Watch::off) return;
+    for (Guilt& g : guilt_[s]) g.meetings = 0;
+    lifted_.refresh_surface(s, mesh_);
+    const auto pairs = self_intersections(*lifted_.surface(s));
+    if (!pairs.empty() && watch_[s] == Watch::input_unknown)
+      watch_[s] = self_intersections(*shapes_[s].tree).empty() ? Watch::on : Watch::off;
+    if (watch_[s] == Watch::off) return lifted_.forget_surface(s);
+    for (const auto& [f, g] : pairs) {
+      ++guilt_[s][f.index].meetings;
+      ++guilt_[s][g.index].meetings;
+    }
+  }
+
+  detail::TorusTriangulation mesh_;
+  std::span<const LandmarkShape> shapes_;
+  std::vector<Watch> watch_;
+  detail::LiftedLandmarks lifted_;
+  const RunContext& ctx_;
+  GuiltTable guilt_;
+};
+
+/// Rounds of changes until nothing is guilty or nothing helps; keeps the best state.
+void mend(RefinedLandmarks& best, std::span<const LandmarkShape> shapes, Mending mending, int budget,
+          int round_limit, const RunContext& ctx) {
+  using detail::Insertion;
+  Refinement state(best.landmarks, shapes, mending, ctx);
+  Guilt least = state.guilt();
+  if (mending == Mending::flips) best.initial = least.flipped;
+  best.initial_self_intersections = least.meetings / 2;
+  best.landmarks = state.landmark_mesh();
+  if (mending == Mending::meetings && least.meetings == 0) return;  // flips that are left had their rounds
+  RefinedLandmarks result = best;
+  bool must_help = true;
+  for (int round = 0; least != Guilt{} && round < round_limit; ++round) {
+    ctx.step("refine landmarks", double(round) / round_limit);
+    const int left = budget - result.inserted;
+    const Insertion insertion = left == 0 ? Insertion::none : must_help ? Insertion::helpful : Insertion::any;
+    if (state.repair(state.guilty_faces(), insertion, left, result) == 0) {
+      if (insertion != Insertion::helpful) break;
+      must_help = false;  // stuck: a landmark that does not help by itself may open a way
+      continue;
+    }
+    must_help = true;
+    // The mean edge has changed a little since the last look at everything: the last word is
+    // sampled_flips()'s.
+    if (state.guilt() == Guilt{}) state.inspect_all();
+    const Guilt now = state.guilt();
+    if (now >= least) continue;
+    least = now;
+    best = result;
+    best.landmarks = state.landmark_mesh();
+  }
+  if (least != Guilt{}) least = Refinement(best.landmarks, shapes, mending, ctx).guilt();
+  best.remaining = least.flipped;
+  best.remaining_self_intersections = least.meetings / 2;
+}
+
+}  // namespace
+
+RefinedLandmarks refine_landmarks(const LandmarkMesh& landmarks, std::span<const LandmarkShape> shapes,
+                                  const RunContext& ctx, const RefineLandmarksOptions& options) {
+  if (!(options.budget >= 0)) throw InvalidInput("refine landmarks: the budget must not be negative");
+  const int budget = static_cast<int>(options.budget * static_cast<double>(landmarks.turns.size()));
+  RefinedLandmarks result;
+  result.landmarks = landmarks;
+  mend(result, shapes, Mending::flips, budget, options.round_limit, ctx);
+  mend(result, shapes, Mending::meetings, budget, options.round_limit, ctx);
+  return result;
+}
+
+}  // namespace foramen

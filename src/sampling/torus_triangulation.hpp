@@ -1,0 +1,93 @@
+#pragma once
+/// \file
+/// A triangulation of the torus that can be changed: flips, collapses and splits, each only if every triangle
+/// keeps a positive area (exactly) and no two edges join the same two vertices.
+
+#include <array>
+#include <vector>
+
+#include "foramen/parameterize/torus_map.hpp"
+#include "foramen/sampling/remesh.hpp"
+#include "sampling/fixed_torus.hpp"
+
+namespace foramen::detail {
+
+/// Halfedge 3f+k runs from corner k to corner k+1 of face f, as in Mesh; dead faces and vertices stay in
+/// place until landmark_mesh() leaves them out. Plain ints: nothing of this leaves the module.
+class TorusTriangulation {
+ public:
+  /// \pre closed, jumps consistent; positions within +-4096 turns.
+  TorusTriangulation(const Mesh& mesh, const TorusMap& map);
+  TorusTriangulation(const std::vector<Vec2>& turns, const std::vector<std::array<int, 3>>& triangles,
+                     const HalfedgeMap<Vec2i>& jumps);
+
+  int vertex_slots() const { return static_cast<int>(place_.size()); }
+  int face_slots() const { return static_cast<int>(face_alive_.size()); }
+  int halfedge_slots() const { return 3 * face_slots(); }
+  int vertex_count() const { return live_vertices_; }
+  bool alive(int v) const { return outgoing_[v] >= 0; }
+  bool face_alive(int f) const { return face_alive_[f] != 0; }
+
+  static int next(int h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static int prev(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  int from(int h) const { return from_[h]; }
+  int to(int h) const { return from_[next(h)]; }
+  int apex(int h) const { return from_[prev(h)]; }
+  int twin(int h) const { return twin_[h]; }
+  /// The next outgoing halfedge counter-clockwise.
+  int rotated(int h) const { return twin_[prev(h)]; }
+  int outgoing(int v) const { return outgoing_[v]; }
+  std::array<int, 3> corners(int f) const { return {from_[3 * f], from_[3 * f + 1], from_[3 * f + 2]}; }
+  int valence(int v) const;
+  bool adjacent(int a, int b) const;
+  /// Calls visit(halfedge) for every halfedge out of v, counter-clockwise.
+  template <class Visit>
+  void for_each_outgoing(int v, Visit&& visit) const {
+    const int first = outgoing_[v];
+    int h = first;
+    do {
+      visit(h);
+      h = rotated(h);
+    } while (h != first);
+  }
+
+  Fixed2 place(int v) const { return place_[v]; }
+  /// \pre the caller keeps all triangles positive in the end.
+  void set_place(int v, Fixed2 p) { place_[v] = p; }
+  /// From one end of a halfedge to the other, over the jump.
+  Fixed2 along(int h) const { return place_[to(h)] + whole_turns(jump_[h]) - place_[from(h)]; }
+  /// Twice the signed area on the torus, exactly.
+  Int128 doubled_area(int f) const { return cross(along(3 * f), along(3 * f + 1)); }
+
+  /// Whether the edge may be replaced by the other diagonal of its two triangles.
+  bool can_flip(int h) const;
+  /// The halfedge that joins the two apexes: from apex(twin(h)) to apex(h), in h's old face. \pre can_flip(h)
+  int flip(int h);
+  /// Whether from(h) may be moved onto to(h) and both triangles at the edge removed.
+  bool can_collapse(int h) const;
+  void collapse(int h);
+  /// A vertex at `fraction` of the edge; -1 if rounding leaves a triangle without area.
+  int split_edge(int h, double fraction = 0.5);
+  /// A vertex at the centroid of a face; -1 if it is too small to hold one.
+  int split_face(int f);
+
+  /// Vertices and faces in the order of their slots, positions in [0, 1).
+  LandmarkMesh landmark_mesh() const;
+
+ private:
+  void connect_twins();
+  void set_face(int f, std::array<int, 3> corners, std::array<Vec2i, 3> jumps);
+  void glue(int h, int g);
+  int add_vertex(Fixed2 place);
+  int add_face();
+
+  std::vector<Fixed2> place_;  // per vertex, anywhere on R^2
+  std::vector<int> outgoing_;  // per vertex; -1: removed
+  std::vector<int> from_;      // per halfedge
+  std::vector<int> twin_;      // per halfedge
+  std::vector<Vec2i> jump_;    // per halfedge
+  std::vector<char> face_alive_;
+  int live_vertices_ = 0;
+};
+
+}  // namespace foramen::detail
