@@ -3,10 +3,9 @@
 #include <optional>
 #include <utility>
 
-#include "foramen/core/error.hpp"
+#include "correspond/map_steps.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/correspond/description_objective.hpp"
-#include "foramen/parameterize/refine_map.hpp"
 #include "foramen/spatial/point_index.hpp"
 
 namespace foramen {
@@ -63,12 +62,10 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   member.bent = bent_onto(aligned, to, options_.first, {}, prior);
 
   const Mesh carried = bent_back(aligned, to.surface, member.bent);
-  FirstMap first = first_map(carried, aligned, reference_.loops, options_.initial_map, options_.edge_cost);
+  FirstMap first = placed_first_map(carried, aligned, reference_, options_.initial_map, options_.edge_cost);
   result.homology = first.homology;
   result.seifert = first.seifert;
-  first.map.lattice = to.surface.map.lattice;
-  member.map.map =
-      translated_onto(std::move(first.map), carried, reference_.mesh(), reference_.shape_map.map);
+  member.map.map = std::move(first.map);
   const auto targets = objective(member, aligned, to);
   // The metric means nothing yet where the vertices are still far from their targets.
   member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), targets.get());
@@ -134,22 +131,15 @@ void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTem
 }
 
 void MemberSteps::finish(Member& member, const PreparedTemplate& to) const {
-  const Mesh aligned = transformed(*member.input, member.to_template);
+  const Mesh& input = *member.input;
+  const Mesh aligned = transformed(input, member.to_template);
   const auto pull = objective(member, aligned, to);
-  const TorusMap start = refine_map(*member.input, member.working, member.map.map);
-  const OptimisedMap full = optimised(aligned, start, to, *pull);
-  require_converged(full, "input");
   RegisteredShape& result = member.result;
-  result.shape_map = certified(*member.input, member.map, full);
-  const VertexId base = reference_.loops.loops.basepoint;
-  require_reference_homology(*member.input, result.shape_map.map, reference_.shape_map.map.turns[base],
-                             reference_.loops.seifert);
-  const Mesh beside_reference = transformed(*member.input, result.alignment.transform);
+  result.shape_map = finished_map(input, member.working, member.map, [&](const TorusMap& start) {
+    return optimised(aligned, start, to, *pull);
+  });
   result.agreement =
-      map_agreement(beside_reference, result.shape_map.map, reference_.mesh(), reference_.shape_map.map);
-  if (result.agreement.minCoeff() <= 0)
-    throw TopologyError(
-        "the map of this shape runs against the reference's (the loops' directions disagree)");
+      require_map_like_reference(input, result.alignment.transform, result.shape_map.map, reference_);
 }
 
 }  // namespace foramen

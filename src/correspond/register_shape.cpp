@@ -1,11 +1,7 @@
 #include "foramen/correspond/register_shape.hpp"
 
-#include <utility>
-
-#include "foramen/core/error.hpp"
+#include "correspond/map_steps.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/refine_map.hpp"
-#include "foramen/simplify/working_mesh.hpp"
 
 namespace foramen {
 namespace {
@@ -43,11 +39,9 @@ Reference map_reference(const Mesh& mesh, const RunContext& ctx, const RegisterO
       working.mesh,
       first_map(working.mesh, working.mesh, reference.loops, options.initial_map, options.edge_cost).map, ctx,
       free_lattice);
-  require_converged(coarse, "working");
-  const OptimisedMap full =
-      optimise_map(mesh, refine_map(mesh, working, coarse.map), ctx, optimise_options(options));
-  require_converged(full, "input");
-  reference.shape_map = certified(mesh, coarse, full);
+  reference.shape_map = finished_map(mesh, working, coarse, [&](const TorusMap& start) {
+    return optimise_map(mesh, start, ctx, optimise_options(options));
+  });
   return reference;
 }
 
@@ -56,29 +50,21 @@ RegisteredShape register_shape(const Mesh& shape, const Reference& reference, co
   RegisteredShape result;
   result.alignment = align(shape, reference.mesh(), ctx);
   const Mesh aligned = transformed(shape, result.alignment.transform);
-  const TorusMap& reference_map = reference.shape_map.map;
-
   const WorkingMesh working = simplify(aligned, ctx, {.target_vertices = options.working_vertices});
-  FirstMap named =
-      first_map(working.mesh, working.mesh, reference.loops, options.initial_map, options.edge_cost);
-  result.homology = named.homology;
-  result.seifert = named.seifert;
-  named.map.lattice = reference_map.lattice;
-  const TorusMap start = translated_onto(std::move(named.map), working.mesh, reference.mesh(), reference_map);
+  const FirstMap first =
+      placed_first_map(working.mesh, working.mesh, reference, options.initial_map, options.edge_cost);
+  result.homology = first.homology;
+  result.seifert = first.seifert;
 
-  const SoftNeighbours pull(working.mesh, reference.mesh(), reference_map, options.neighbours);
-  const OptimisedMap coarse = optimise_map(working.mesh, start, ctx, optimise_options(options), &pull);
-  require_converged(coarse, "working");
-  const SoftNeighbours full_pull(aligned, reference.mesh(), reference_map, options.neighbours);
-  const OptimisedMap full = optimise_map(aligned, refine_map(aligned, working, coarse.map), ctx,
-                                         optimise_options(options), &full_pull);
-  require_converged(full, "input");
-  result.shape_map = certified(aligned, coarse, full);
-
-  result.agreement = map_agreement(aligned, result.shape_map.map, reference.mesh(), reference_map);
-  if (result.agreement.minCoeff() <= 0)
-    throw TopologyError(
-        "the map of this shape runs against the reference's (the loops' directions disagree)");
+  const auto optimised = [&](const Mesh& mesh, const TorusMap& start) {
+    const SoftNeighbours pull(mesh, reference.mesh(), reference.shape_map.map, options.neighbours);
+    return optimise_map(mesh, start, ctx, optimise_options(options), &pull);
+  };
+  const OptimisedMap coarse = optimised(working.mesh, first.map);
+  result.shape_map = finished_map(aligned, working, coarse,
+                                  [&](const TorusMap& start) { return optimised(aligned, start); });
+  result.agreement =
+      require_map_like_reference(shape, result.alignment.transform, result.shape_map.map, reference);
   return result;
 }
 

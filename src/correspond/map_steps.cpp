@@ -1,0 +1,41 @@
+#include "correspond/map_steps.hpp"
+
+#include <utility>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/parameterize/refine_map.hpp"
+
+namespace foramen {
+
+FirstMap placed_first_map(const Mesh& carried, const Mesh& embedded, const Reference& reference,
+                          InitialMap initial_map, EdgeCost edge_cost) {
+  const TorusMap& reference_map = reference.shape_map.map;
+  FirstMap first = first_map(carried, embedded, reference.loops, initial_map, edge_cost);
+  first.map.lattice = reference_map.lattice;
+  first.map = translated_onto(std::move(first.map), carried, reference.mesh(), reference_map);
+  return first;
+}
+
+ShapeMap finished_map(const Mesh& input, const WorkingMesh& working, const OptimisedMap& coarse,
+                      const std::function<OptimisedMap(const TorusMap& start)>& optimise) {
+  require_converged(coarse, "working");
+  const OptimisedMap full = optimise(refine_map(input, working, coarse.map));
+  require_converged(full, "input");
+  return certified(input, coarse, full);
+}
+
+Vec2 require_map_like_reference(const Mesh& input, const RigidTransform& to_reference, const TorusMap& map,
+                                const Reference& reference) {
+  const TorusMap& reference_map = reference.shape_map.map;
+  require_reference_homology(input, map, reference_map.turns[reference.loops.loops.basepoint],
+                             reference.loops.seifert);
+  const Vec2 agreement =
+      map_agreement(transformed(input, to_reference), map, reference.mesh(), reference_map);
+  if (agreement.minCoeff() <= 0)
+    throw TopologyError(
+        "the map of this shape runs against the reference's (the loops' directions disagree)");
+  return agreement;
+}
+
+}  // namespace foramen
