@@ -40,7 +40,7 @@ BENCHMARK(align_by_procrustes)->Apply(landmarks_and_shapes);
 void model_by_pca(benchmark::State& state) {
   const CorrespondingCohort made = cohort(state);
   const ProcrustesResult aligned = procrustes(made.corresponding, ScaleMode::keep);
-  for (auto _ : state) benchmark::DoNotOptimize(build_shape_model(aligned.aligned, made.triangles));
+  for (auto _ : state) benchmark::DoNotOptimize(model_of_aligned(aligned.aligned, made.triangles));
 }
 BENCHMARK(model_by_pca)->Apply(landmarks_and_shapes);
 
@@ -51,7 +51,7 @@ void weighted_model(benchmark::State& state) {
     const auto weights =
         landmark_weights(made.corresponding, made.triangles, ScaleMode::keep, LandmarkWeights::area);
     const ProcrustesResult aligned = procrustes(made.corresponding, ScaleMode::keep, weights);
-    benchmark::DoNotOptimize(build_shape_model(aligned.aligned, made.triangles, weights));
+    benchmark::DoNotOptimize(model_of_aligned(aligned.aligned, made.triangles, weights));
   }
 }
 BENCHMARK(weighted_model)->Apply(landmarks_and_shapes);

@@ -46,7 +46,7 @@ AlignedModel model_without(const AlignedModel& model, std::span<const std::strin
                        std::to_string(names.size()) + " training shapes leaves fewer than 2");
   AlignedModel rest;
   rest.alignment = procrustes(others, scale, model.model.weights());
-  rest.model = build_shape_model(rest.alignment.aligned, model.model.triangles(), model.model.weights());
+  rest.model = model_of_aligned(rest.alignment.aligned, model.model.triangles(), model.model.weights());
   return rest;
 }
 

@@ -67,7 +67,7 @@ AlignedCohort align_cohort(const CorrespondingCohort& cohort, ScaleMode scale, L
   aligned.alignment = procrustes(cohort.corresponding, scale, of_landmarks);
   for (std::size_t s = 0; s < cohort.inputs.size(); ++s)
     aligned.inputs.push_back(transformed(cohort.inputs[s], aligned.alignment.transforms[s]));
-  aligned.model = build_shape_model(aligned.alignment.aligned, cohort.triangles, std::move(of_landmarks));
+  aligned.model = model_of_aligned(aligned.alignment.aligned, cohort.triangles, std::move(of_landmarks));
   return aligned;
 }
 

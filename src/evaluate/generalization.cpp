@@ -28,7 +28,7 @@ AlignedModel model_without(const CorrespondingCohort& cohort, const std::vector<
       others.push_back(cohort.corresponding[static_cast<std::size_t>(i)]);
   AlignedModel partial;
   partial.alignment = procrustes(others, scale, weights);
-  partial.model = build_shape_model(partial.alignment.aligned, cohort.triangles, weights);
+  partial.model = model_of_aligned(partial.alignment.aligned, cohort.triangles, weights);
   return partial;
 }
 

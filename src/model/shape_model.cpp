@@ -210,8 +210,8 @@ std::vector<Vec3> unflattened(const Eigen::VectorXd& x) {
   return points;
 }
 
-ShapeModel build_shape_model(const std::vector<std::vector<Vec3>>& aligned,
-                             std::vector<std::array<int, 3>> triangles, std::vector<double> weights) {
+ShapeModel model_of_aligned(const std::vector<std::vector<Vec3>>& aligned,
+                            std::vector<std::array<int, 3>> triangles, std::vector<double> weights) {
   check_shapes(aligned);
   check_weights(weights, static_cast<int>(aligned[0].size()));
   const Eigen::VectorXd mean = mean_of(aligned);

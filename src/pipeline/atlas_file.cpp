@@ -5,7 +5,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/hdf5_file.hpp"
-#include "foramen/pipeline/build_model.hpp"
+#include "foramen/stages/build_model.hpp"
 
 namespace foramen {
 namespace {
@@ -81,18 +81,17 @@ Atlas read_from(const H5Reader& file) {
 
 }  // namespace
 
-Atlas atlas_of(const ModelBuild& build) {
+Atlas atlas_of(const BuiltModel& built) {
   Atlas atlas;
-  const Reference& reference = build.reference_map;
+  const Reference& reference = built.registration.frame.reference;
   atlas.surface = reference.mesh();
   atlas.map = reference.shape_map.map;
   for (std::size_t k = 0; k < 2; ++k)
     for (HalfedgeId h : reference.loops.loops.loops[k]) atlas.loops[k].push_back(atlas.surface.from(h));
-  atlas.landmarks = build.landmarks;
-  for (std::size_t i = 0; i < build.shapes.size(); ++i) {
-    atlas.names.push_back(build.shapes[i].input.stem);
-    atlas.transforms.push_back(build.procrustes.transforms[i].matrix());
-  }
+  atlas.landmarks = built.landmarks.mesh;
+  atlas.names = built.landmarks.names;
+  for (const SimilarityTransform& transform : built.aligned.alignment.transforms)
+    atlas.transforms.push_back(transform.matrix());
   return atlas;
 }
 

@@ -33,27 +33,29 @@ std::vector<Eigen::VectorXd> shapes_of(const ShapeModel& model, const Eigen::Mat
   return shapes;
 }
 
-std::vector<Eigen::VectorXd> aligned_shapes(const ModelBuild& build) {
+std::vector<Eigen::VectorXd> aligned_shapes(const AlignedModel& aligned) {
   std::vector<Eigen::VectorXd> shapes;
-  shapes.reserve(build.procrustes.aligned.size());
-  for (const auto& landmarks : build.procrustes.aligned) shapes.push_back(flattened(landmarks));
+  shapes.reserve(aligned.alignment.aligned.size());
+  for (const auto& landmarks : aligned.alignment.aligned) shapes.push_back(flattened(landmarks));
   return shapes;
 }
 
-StatismoModel file_of(const ModelBuild& build, const std::string& command) {
-  StatismoModel file = statismo_model(build.model, aligned_shapes(build), command);
-  for (const ShapeOutcome& shape : build.shapes) file.shape_uris.push_back(source_of(shape.input));
+StatismoModel file_of(const BuildRecord& record, const std::string& command) {
+  const AlignedModel& aligned = record.built.aligned;
+  StatismoModel file = statismo_model(aligned.model, aligned_shapes(aligned), command);
+  for (const InputShape& input : record.inputs) file.shape_uris.push_back(source_of(input));
   return file;
 }
 
-void write_scores(const fs::path& path, const ModelBuild& build) {
+void write_scores(const fs::path& path, const BuildRecord& record) {
+  const int modes = record.built.aligned.model.modes();
   std::vector<std::string> header{"shape"};
-  for (int m = 0; m < build.model.modes(); ++m) header.push_back("mode" + std::to_string(m + 1));
-  const Eigen::MatrixXd scores = training_scores(build);
+  for (int m = 0; m < modes; ++m) header.push_back("mode" + std::to_string(m + 1));
+  const Eigen::MatrixXd scores = training_scores(record.built.aligned);
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < build.shapes.size(); ++i) {
-    Row row{build.shapes[i].input.stem};
-    for (int m = 0; m < build.model.modes(); ++m) row.emplace_back(scores(m, static_cast<int>(i)));
+  for (std::size_t i = 0; i < record.inputs.size(); ++i) {
+    Row row{record.inputs[i].stem};
+    for (int m = 0; m < modes; ++m) row.emplace_back(scores(m, static_cast<int>(i)));
     rows.push_back(std::move(row));
   }
   write_csv(path, header, rows);
@@ -90,8 +92,8 @@ LoadedModel load_model(const fs::path& path) {
   return loaded;
 }
 
-Eigen::MatrixXd training_scores(const ModelBuild& build) {
-  return scores_of(build.model, aligned_shapes(build));
+Eigen::MatrixXd training_scores(const AlignedModel& aligned) {
+  return scores_of(aligned.model, aligned_shapes(aligned));
 }
 
 void write_modes(const fs::path& folder, const ShapeModel& model, double sd, AnatomicalSpace space) {
@@ -102,20 +104,24 @@ void write_modes(const fs::path& folder, const ShapeModel& model, double sd, Ana
                 {unflattened(model.along_mode(m, sign * sd)), model.triangles()}, space);
 }
 
-void write_model_files(const fs::path& folder, const ModelBuild& build, const std::string& command,
+void write_model_files(const fs::path& folder, const BuildRecord& record, const std::string& command,
                        double millimetres) {
-  const AnatomicalSpace space = build.shapes[static_cast<std::size_t>(build.reference)].input.space;
+  const BuiltModel& built = record.built;
+  const auto& triangles = built.landmarks.mesh.triangles;
   fs::create_directories(folder / "corresponding");
-  for (const ShapeOutcome& shape : build.shapes) {
-    TriangleSoup soup{shape.landmarks, build.landmarks.triangles};
+  for (std::size_t i = 0; i < record.inputs.size(); ++i) {
+    const InputShape& input = record.inputs[i];
+    TriangleSoup soup{built.landmarks.points[i], triangles};
     for (Vec3& p : soup.points) p /= millimetres;
-    write_ply(folder / "corresponding" / (shape.input.stem + ".ply"), soup, shape.input.space);
+    write_ply(folder / "corresponding" / (input.stem + ".ply"), soup, input.space);
   }
-  write_ply(folder / "mean.ply", {unflattened(build.model.mean()), build.landmarks.triangles}, space);
-  write_modes(folder / "modes", build.model, 2, space);
-  write_scores(folder / "scores.csv", build);
-  write_statismo(folder / "model.h5", file_of(build, command));
-  write_atlas(folder / "atlas.h5", atlas_of(build));
+  const ShapeModel& model = built.aligned.model;
+  const AnatomicalSpace space = record.inputs[static_cast<std::size_t>(built.registration.reference)].space;
+  write_ply(folder / "mean.ply", {unflattened(model.mean()), triangles}, space);
+  write_modes(folder / "modes", model, 2, space);
+  write_scores(folder / "scores.csv", record);
+  write_statismo(folder / "model.h5", file_of(record, command));
+  write_atlas(folder / "atlas.h5", atlas_of(built));
 }
 
 }  // namespace foramen

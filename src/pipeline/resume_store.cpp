@@ -77,10 +77,10 @@ void ResumeStore::remove() {
   if (failed) note(folder_.string() + ": cannot be removed (" + failed.message() + ")");
 }
 
-std::string stage_scope(const std::vector<InputShape>& shapes, const BuildOptions& options) {
+std::string stage_scope(std::span<const Shape> shapes, const BuildOptions& options) {
   Sha256 content;
   content.update(program_identity()).update(option_bytes(options));
-  for (const InputShape& shape : shapes) content.update(to_bytes(shape.stem)).update(to_bytes(shape.mesh));
+  for (const Shape& shape : shapes) content.update(to_bytes(shape.name)).update(to_bytes(shape.mesh));
   return content.hex();
 }
 

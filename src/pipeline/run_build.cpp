@@ -17,9 +17,9 @@
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
-#include "foramen/pipeline/refit.hpp"
 #include "foramen/pipeline/repair_record.hpp"
 #include "foramen/pipeline/resume_store.hpp"
+#include "foramen/stages/refit.hpp"
 #include "pipeline/folder_lock.hpp"
 #include "pipeline/run_json.hpp"
 
@@ -61,21 +61,19 @@ void remove_stale(const fs::path& folder, const std::set<std::string>& expected)
       fs::remove(entry.path());
 }
 
-void remove_stale_files(const fs::path& folder, const ModelBuild& build) {
+void remove_stale_files(const fs::path& folder, const std::vector<InputShape>& inputs) {
   std::set<std::string> corresponding;
-  for (const ShapeOutcome& shape : build.shapes) corresponding.insert(shape.input.stem + ".ply");
+  for (const InputShape& input : inputs) corresponding.insert(input.stem + ".ply");
   remove_stale(folder / "corresponding", corresponding);
   remove_stale(folder / "modes", {});
 }
 
-CorrespondingCohort corresponding_cohort(const ModelBuild& build, const std::string& subject_pattern) {
-  CorrespondingCohort cohort;
-  cohort.triangles = build.landmarks.triangles;
-  for (const ShapeOutcome& shape : build.shapes) {
-    cohort.names.push_back(shape.input.stem);
-    if (!subject_pattern.empty()) cohort.subjects.push_back(subject_of(shape.input.stem, subject_pattern));
-    cohort.corresponding.push_back(shape.landmarks);
-    cohort.inputs.push_back(shape.input.mesh);
+CorrespondingCohort corresponding_cohort(const BuildRecord& record, const std::string& subject_pattern) {
+  const Landmarks& landmarks = record.built.landmarks;
+  CorrespondingCohort cohort{landmarks.names, {}, landmarks.mesh.triangles, landmarks.points, {}};
+  for (const InputShape& input : record.inputs) {
+    if (!subject_pattern.empty()) cohort.subjects.push_back(subject_of(input.stem, subject_pattern));
+    cohort.inputs.push_back(input.mesh);
   }
   return cohort;
 }
@@ -88,17 +86,17 @@ std::vector<NamedErrorMap> error_maps_of(const Evaluation& evaluation) {
 }
 
 // Adds what evaluate_model() cannot measure, since it takes whole builds.
-void add_refits(Evaluation& evaluation, const ModelBuild& build, const BuildOptions& options,
+void add_refits(Evaluation& evaluation, std::span<const Shape> shapes, const BuildOptions& options,
                 const RunContext& ctx) {
   const auto start = std::chrono::steady_clock::now();
   GeneralizationOptions measure{.scale = options.model.scale,
                                 .weights = options.model.weights,
                                 .samples = evaluation.options.samples,
                                 .seed = options.landmarks.seed};
-  evaluation.refit = refit_generalization(build, {}, options, measure, ctx);
+  evaluation.refit = refit_generalization(shapes, {}, options, measure, ctx);
   if (!evaluation.subjects.empty()) {
     measure.leave_out = LeaveOut::subject;
-    evaluation.refit_by_subject = refit_generalization(build, evaluation.subjects, options, measure, ctx);
+    evaluation.refit_by_subject = refit_generalization(shapes, evaluation.subjects, options, measure, ctx);
   }
   evaluation.seconds.refit = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -109,21 +107,19 @@ void add_refit_notes(std::vector<std::string>& notes, const std::optional<RefitG
     notes.push_back("refit without " + failure.without + ": " + failure.shape + ": " + failure.reason);
 }
 
-std::vector<std::string> notes_on(const ModelBuild& build, const Evaluation& evaluation) {
-  std::vector<std::string> notes = build.notes;
-  for (const ShapeOutcome& shape : build.shapes) {
-    if (shape.input.was_inward)
-      notes.push_back(source_of(shape.input) + ": triangles were wound inward; reversed");
-    if (shape.input.repair)
-      notes.push_back(source_of(shape.input) + ": repaired: " + summary(*shape.input.repair));
+std::vector<std::string> notes_on(const BuildRecord& record, const Evaluation& evaluation) {
+  std::vector<std::string> notes = record.notes;
+  for (const InputShape& input : record.inputs) {
+    if (input.was_inward) notes.push_back(source_of(input) + ": triangles were wound inward; reversed");
+    if (input.repair) notes.push_back(source_of(input) + ": repaired: " + summary(*input.repair));
   }
-  if (build.remaining_flips > 0)
-    notes.push_back(std::to_string(build.remaining_flips) +
+  const Landmarks& landmarks = record.built.landmarks;
+  if (landmarks.remaining_flips > 0)
+    notes.push_back(std::to_string(landmarks.remaining_flips) +
                     " landmark triangles are flipped or degenerate on some shape and could not be mended "
-                    "within the budget of landmarks: "
-                    "give more with --landmarks");
-  if (build.remaining_self_intersections > 0)
-    notes.push_back(std::to_string(build.remaining_self_intersections) +
+                    "within the budget of landmarks: give more with --landmarks");
+  if (landmarks.remaining_self_intersections > 0)
+    notes.push_back(std::to_string(landmarks.remaining_self_intersections) +
                     " pairs of landmark triangles meet on some shape whose surface does not meet itself, and "
                     "could not be parted within the budget of landmarks: give more with --landmarks");
   add_refit_notes(notes, evaluation.refit);
@@ -157,12 +153,11 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   ctx.step("read", 0);
   Cohort read =
       read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}), request.repair);
-  const std::vector<std::string> reading_notes = std::move(read.notes);
-  const std::string scope = stage_scope(read.shapes, request.build);
+  const std::string scope = stage_scope(surfaces_of(read.shapes), request.build);
   const RunContext keeping = ctx.with_store(store, scope);
-  ModelBuild build = build_model(std::move(read), request.build, keeping);
+  const BuildRecord record = build_from(std::move(read), request.build, keeping);
 
-  const CorrespondingCohort cohort = corresponding_cohort(build, request.subject_pattern);
+  const CorrespondingCohort cohort = corresponding_cohort(record, request.subject_pattern);
   EvaluationOptions evaluation_options = request.evaluation;
   evaluation_options.scale = request.build.model.scale;
   evaluation_options.weights = request.build.model.weights;
@@ -172,15 +167,15 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   Evaluation evaluation = evaluate_model(
       cohort, evaluation_options, ctx.with_store(store, evaluation_scope(cohort, evaluation_options, scope)),
       truth ? &*truth : nullptr);
-  if (request.refit) add_refits(evaluation, build, request.build, keeping);
+  if (request.refit) add_refits(evaluation, surfaces_of(record.inputs), request.build, keeping);
 
   ctx.step("write", 0);
-  remove_stale_files(request.output, build);
-  write_model_files(request.output, build, request.canonical_command, millimetres_per(request.unit));
+  remove_stale_files(request.output, record.inputs);
+  write_model_files(request.output, record, request.canonical_command, millimetres_per(request.unit));
   write_metrics(request.output, evaluation);
   write_error_maps(request.output / "error_maps.h5", error_maps_of(evaluation));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const auto run = run_json(request, build, evaluation, {seconds, ctx.threads(), store->taken_up()});
+  const auto run = run_json(request, record, evaluation, {seconds, ctx.threads(), store->taken_up()});
   write_file(request.output / "run.json", run.dump(2) + "\n");
   const ModelPage page = model_page(request.output);  // of what was written: `foramen report` makes the same
   write_file(request.output / "report.html", page.html);
@@ -188,8 +183,8 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   ctx.step("write", 1);
 
   BuildSummary summary;
-  summary.left_out = build.left_out;
-  for (const auto& notes : {reading_notes, notes_on(build, evaluation), store->notes()})
+  summary.left_out = record.left_out;
+  for (const auto& notes : {notes_on(record, evaluation), store->notes()})
     summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
   summary.text = model_summary(run, evaluation) + "\nreport.html: " + page.remark;
   summary.json = run.dump(2);

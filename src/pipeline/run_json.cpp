@@ -15,8 +15,8 @@ using nlohmann::ordered_json;
 
 ordered_json matrix_json(const Eigen::Matrix2i& m) { return {{m(0, 0), m(0, 1)}, {m(1, 0), m(1, 1)}}; }
 
-ordered_json certificate_json(const RegisteredShape& shape, const ReferenceLoops& reference) {
-  const MapCertificate& c = shape.shape_map.certificate;
+ordered_json certificate_json(const ShapeRegistration& shape, const ReferenceLoops& reference) {
+  const MapCertificate& c = shape.certificate;
   return {{"mesh", "input"},
           {"triangles", c.triangles},
           {"flipped", c.flipped},
@@ -29,31 +29,30 @@ ordered_json certificate_json(const RegisteredShape& shape, const ReferenceLoops
           {"map_agreement", {shape.agreement.x(), shape.agreement.y()}}};
 }
 
-ordered_json shape_json(const ModelBuild& build, std::size_t i, const Evaluation& evaluation, bool torus) {
-  const ShapeOutcome& shape = build.shapes[i];
-  const RegisteredShape& registration = shape.registration;
-  const bool is_reference = static_cast<int>(i) == build.reference;
-  ordered_json out = {{"name", shape.input.stem},
-                      {"status", is_reference ? "reference" : "used"},
-                      {"reason", shape.input.was_inward ? "wound inward; reversed" : ""},
+ordered_json shape_json(const BuildRecord& record, std::size_t i, const Evaluation& evaluation) {
+  const InputShape& input = record.inputs[i];
+  const CohortRegistration& cohort = record.built.registration;
+  const ShapeRegistration& shape = cohort.shapes[i];
+  ordered_json out = {{"name", input.stem},
+                      {"status", static_cast<int>(i) == cohort.reference ? "reference" : "used"},
+                      {"reason", input.was_inward ? "wound inward; reversed" : ""},
                       {"seconds", shape.seconds},
-                      {"alignment_residual_mm", registration.alignment.residual}};
-  if (shape.input.repair) {
-    out["reason"] = "repaired: " + summary(*shape.input.repair);
-    out["repair"] = repair_json(*shape.input.repair);
+                      {"alignment_residual_mm", shape.alignment.residual}};
+  if (input.repair) {
+    out["reason"] = "repaired: " + summary(*input.repair);
+    out["repair"] = repair_json(*input.repair);
   }
-  if (torus || is_reference) {
-    out["iterations"] = registration.shape_map.iterations;
-    out["energy_initial"] = registration.shape_map.initial_energy;
-    out["energy_final"] = registration.shape_map.final_energy;
-    out["distortion"] = registration.shape_map.distortion;
-    out["certificate"] = certificate_json(registration, build.reference_map.loops);
+  if (shape.mapped) {
+    out["iterations"] = shape.iterations;
+    out["energy_initial"] = shape.initial_energy;
+    out["energy_final"] = shape.final_energy;
+    out["distortion"] = shape.distortion;
+    out["certificate"] = certificate_json(shape, cohort.frame.reference.loops);
   } else {
-    out["landmarks_without_compatible_point"] = shape.unmatched;
+    out["landmarks_without_compatible_point"] = record.built.landmarks.without_compatible[i];
   }
   const ShapeRepresentation& r = evaluation.representation.shapes[i];
-  out["flips_in_map"] =
-      torus || is_reference ? ordered_json(registration.shape_map.certificate.flipped) : ordered_json();
+  out["flips_in_map"] = shape.mapped ? ordered_json(shape.certificate.flipped) : ordered_json();
   out["flips_sampled_plain"] = r.plain_flips;
   out["flips_sampled_confirmed"] = r.confirmed_flips;
   out["triangles_opposing_mean"] = r.opposing_mean;
@@ -62,18 +61,18 @@ ordered_json shape_json(const ModelBuild& build, std::size_t i, const Evaluation
   return out;
 }
 
-ordered_json inputs_json(const ModelBuild& build) {
+ordered_json inputs_json(const BuildRecord& record) {
   ordered_json inputs = ordered_json::array();
-  for (const ShapeOutcome& shape : build.shapes) {
-    inputs.push_back({{"file", shape.input.file_name},
-                      {"sha256", shape.input.sha256},
-                      {"vertices", shape.input.mesh.vertex_count()},
-                      {"triangles", shape.input.mesh.face_count()}});
-    if (!shape.input.label) continue;
-    inputs.back()["label"] = *shape.input.label;
-    inputs.back()["extraction"] = extraction_json(shape.input.extraction);
+  for (const InputShape& input : record.inputs) {
+    inputs.push_back({{"file", input.file_name},
+                      {"sha256", input.sha256},
+                      {"vertices", input.mesh.vertex_count()},
+                      {"triangles", input.mesh.face_count()}});
+    if (!input.label) continue;
+    inputs.back()["label"] = *input.label;
+    inputs.back()["extraction"] = extraction_json(input.extraction);
   }
-  for (const LeftOut& shape : build.left_out) {
+  for (const LeftOut& shape : record.left_out) {
     inputs.push_back({{"file", shape.file_name}, {"sha256", shape.sha256}});
     if (shape.label) inputs.back()["label"] = *shape.label;
   }
@@ -135,21 +134,20 @@ ordered_json options_json(const BuildOptions& options) {
   return out;
 }
 
-ordered_json run_json(const BuildRequest& request, const ModelBuild& build, const Evaluation& evaluation,
+ordered_json run_json(const BuildRequest& request, const BuildRecord& record, const Evaluation& evaluation,
                       const RunFigures& figures) {
-  const bool torus = request.build.correspondence.method == Method::torus;
+  const CohortRegistration& cohort = record.built.registration;
+  const Landmarks& landmarks = record.built.landmarks;
   ordered_json shapes = ordered_json::array();
-  for (std::size_t i = 0; i < build.shapes.size(); ++i)
-    shapes.push_back(shape_json(build, i, evaluation, torus));
-  for (const LeftOut& shape : build.left_out)
+  for (std::size_t i = 0; i < record.inputs.size(); ++i) shapes.push_back(shape_json(record, i, evaluation));
+  for (const LeftOut& shape : record.left_out)
     shapes.push_back({{"name", shape.stem}, {"status", "left out"}, {"reason", shape.reason}});
   ordered_json options = options_json(request.build);
-  const bool from_labels =
-      std::any_of(build.shapes.begin(), build.shapes.end(),
-                  [](const ShapeOutcome& shape) { return shape.input.label.has_value(); });
+  const bool from_labels = std::any_of(record.inputs.begin(), record.inputs.end(),
+                                       [](const InputShape& input) { return input.label.has_value(); });
   if (from_labels) options["label_maps"] = label_options_json(request.labels.value_or(LabelRequest{}));
   ordered_json stages = ordered_json::object();
-  for (const auto& [name, time] : build.stage_seconds) stages[name] = time;
+  for (const auto& [name, time] : record.built.stage_seconds) stages[name] = time;
   stages["evaluate"] = evaluation.seconds.representation + evaluation.seconds.generalization +
                        evaluation.seconds.specificity + evaluation.seconds.drawn + evaluation.seconds.truth;
   if (evaluation.refit) stages["refit"] = evaluation.seconds.refit;
@@ -157,16 +155,16 @@ ordered_json run_json(const BuildRequest& request, const ModelBuild& build, cons
           {"command", request.canonical_command},
           {"options", options},
           {"seed", request.build.landmarks.seed},
-          {"inputs", inputs_json(build)},
-          {"reference", build.shapes[static_cast<std::size_t>(build.reference)].input.stem},
-          {"template_motion_mm", build.template_motion_mm},
-          {"unexplained_shares", build.unexplained_shares},
-          {"description_lengths", build.description_lengths},
-          {"landmarks", build.landmarks.turns.size()},
-          {"landmarks_inserted", build.inserted_landmarks},
-          {"self_intersections_before_mending", build.initial_self_intersections},
-          {"self_intersections_not_mended", build.remaining_self_intersections},
-          {"landmark_triangles", build.landmarks.triangles.size()},
+          {"inputs", inputs_json(record)},
+          {"reference", cohort.shapes[static_cast<std::size_t>(cohort.reference)].name},
+          {"template_motion_mm", cohort.template_motion_mm},
+          {"unexplained_shares", cohort.unexplained_shares},
+          {"description_lengths", cohort.description_lengths},
+          {"landmarks", landmarks.mesh.turns.size()},
+          {"landmarks_inserted", landmarks.inserted},
+          {"self_intersections_before_mending", landmarks.initial_self_intersections},
+          {"self_intersections_not_mended", landmarks.remaining_self_intersections},
+          {"landmark_triangles", landmarks.mesh.triangles.size()},
           {"shapes", shapes},
           {"seconds", figures.seconds},
           {"seconds_by_stage", stages},

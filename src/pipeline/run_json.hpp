@@ -16,7 +16,7 @@ struct RunFigures {
 };
 
 /// The record of a run: version, command, options, inputs, what became of each shape, times, memory.
-nlohmann::ordered_json run_json(const BuildRequest& request, const ModelBuild& build,
+nlohmann::ordered_json run_json(const BuildRequest& request, const BuildRecord& record,
                                 const Evaluation& evaluation, const RunFigures& figures);
 
 /// A build's options by their command-line names.

@@ -120,7 +120,7 @@ StatismoModel model_of(const ExchangeSet& set, ScaleMode scale, const std::strin
   require_triangles(set.triangles);
   if (set.shapes.size() < 2) throw InvalidInput("a model needs two shapes or more; the input holds one");
   const ProcrustesResult result = procrustes(set.shapes, scale);
-  const ShapeModel model = build_shape_model(result.aligned, set.triangles);
+  const ShapeModel model = model_of_aligned(result.aligned, set.triangles);
   if (model.modes() == 0) throw InvalidInput("the shapes do not differ: there is no model of them");
   std::vector<Eigen::VectorXd> aligned;
   for (const auto& shape : result.aligned) aligned.push_back(flattened(shape));

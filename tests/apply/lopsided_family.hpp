@@ -15,7 +15,7 @@ inline TriangleSoup member(double strength) { return lopsided_torus_soup(60, 30,
 inline ShapeModel lopsided_model() {
   std::vector<std::vector<Vec3>> shapes;
   for (int i = 0; i < 5; ++i) shapes.push_back(member(0.4 + 0.3 * i).points);
-  return build_shape_model(shapes, member(1).triangles);
+  return model_of_aligned(shapes, member(1).triangles);
 }
 
 inline RigidTransform some_pose(double angle) {

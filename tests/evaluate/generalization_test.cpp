@@ -34,7 +34,7 @@ ShapeError by_definition(const CorrespondingCohort& cohort, std::size_t shape,
   std::vector<std::vector<Vec3>> training;
   for (const std::size_t o : others) training.push_back(cohort.corresponding[o]);
   const ProcrustesResult aligned = procrustes(training, scale, weights);
-  const ShapeModel model = build_shape_model(aligned.aligned, cohort.triangles, weights);
+  const ShapeModel model = model_of_aligned(aligned.aligned, cohort.triangles, weights);
   const SimilarityTransform motion = align_to_mean(cohort.corresponding[shape], aligned, scale, weights);
   std::vector<Vec3> moved;
   for (const Vec3& p : cohort.corresponding[shape]) moved.push_back(motion(p));

@@ -46,7 +46,7 @@ double total_variance(const Shapes& shapes) {
 TEST(ShapeModel, TwoShapesGiveTheClosedForm) {
   // x = +-a about the middle: one mode along a, variance 2 a^2 / (2 - 1).
   const std::vector<Vec3> first{{1, 0, 0}, {0, 5, 0}}, second{{3, 0, 0}, {0, 5, 4}};
-  const ShapeModel model = build_shape_model({first, second}, {});
+  const ShapeModel model = model_of_aligned({first, second}, {});
   ASSERT_EQ(model.modes(), 1);
   EXPECT_NEAR(model.variance()[0], 2 * (1 + 4), 1e-13);
   Eigen::VectorXd direction = Eigen::VectorXd::Zero(6);
@@ -65,7 +65,7 @@ TEST(ShapeModel, RecoversPlantedModesAndVariances) {
   for (int k = 0; k < modes; ++k)
     for (const double side : {1.0, -1.0})
       shapes.push_back(unflattened(mean + side * (10.0 / (k + 1)) * basis.col(k)));
-  const ShapeModel model = build_shape_model(shapes, {});
+  const ShapeModel model = model_of_aligned(shapes, {});
   ASSERT_EQ(model.modes(), modes);
   EXPECT_LT((model.mean() - mean).norm(), 1e-13);
   for (int k = 0; k < modes; ++k) {
@@ -76,7 +76,7 @@ TEST(ShapeModel, RecoversPlantedModesAndVariances) {
 
 TEST(ShapeModel, AgreesWithTheFullCovariance) {
   const Shapes shapes = random_shapes(6, 8, 5);
-  const ShapeModel model = build_shape_model(shapes, {});
+  const ShapeModel model = model_of_aligned(shapes, {});
   Eigen::MatrixXd x(24, 6);
   for (Eigen::Index s = 0; s < 6; ++s) x.col(s) = flattened(shapes[static_cast<std::size_t>(s)]);
   x.colwise() -= Eigen::VectorXd(x.rowwise().mean());
@@ -92,7 +92,7 @@ TEST(ShapeModel, ModesAreOrthonormalOrderedAndSigned) {
     for (std::size_t i = 0; i < 100; ++i)
       shapes[s][i] =
           shapes[0][i] + std::pow(10.0, -0.35 * static_cast<double>(s)) * (shapes[s][i] - shapes[0][i]);
-  const ShapeModel model = build_shape_model(shapes, {});
+  const ShapeModel model = model_of_aligned(shapes, {});
   const auto k = model.modes();
   EXPECT_GE(k, 9);
   EXPECT_LT(
@@ -112,7 +112,7 @@ TEST(ShapeModel, ModesAreOrthonormalOrderedAndSigned) {
 TEST(ShapeModel, VariancesSumToTheTotal) {
   for (const int count : {2, 3, 9, 20}) {
     const Shapes shapes = random_shapes(count, 30, 7);
-    const ShapeModel model = build_shape_model(shapes, {});
+    const ShapeModel model = model_of_aligned(shapes, {});
     EXPECT_EQ(model.modes(), count - 1);
     EXPECT_NEAR(model.variance().sum(), total_variance(shapes), 1e-11 * total_variance(shapes));
   }
@@ -120,7 +120,7 @@ TEST(ShapeModel, VariancesSumToTheTotal) {
 
 TEST(ShapeModel, VarianceOfTheScoresIsTheVariance) {
   const Shapes shapes = random_shapes(9, 30, 8);
-  const ShapeModel model = build_shape_model(shapes, {});
+  const ShapeModel model = model_of_aligned(shapes, {});
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(model.modes());
   for (const auto& s : shapes) squares += model.scores(flattened(s), model.modes()).cwiseAbs2();
   EXPECT_LT((squares / 8 - model.variance()).norm(), 1e-11 * model.variance().norm());
@@ -129,26 +129,26 @@ TEST(ShapeModel, VarianceOfTheScoresIsTheVariance) {
 TEST(ShapeModel, FewerIndependentShapesGiveFewerModes) {
   const Shapes three = random_shapes(3, 20, 9);
   const Shapes repeated{three[0], three[1], three[2], three[0], three[1], three[2]};
-  EXPECT_EQ(build_shape_model(repeated, {}).modes(), 2);
+  EXPECT_EQ(model_of_aligned(repeated, {}).modes(), 2);
 }
 
 TEST(ShapeModel, IdenticalShapesHaveNoModes) {
   const auto shape = random_shapes(1, 200, 10)[0];
-  EXPECT_EQ(build_shape_model({shape, shape, shape}, {}).modes(), 0);
+  EXPECT_EQ(model_of_aligned({shape, shape, shape}, {}).modes(), 0);
   Shapes turned;  // equal but for pose: what rounding of the alignment leaves is not a mode
   for (int s = 0; s < 4; ++s) {
     const Eigen::AngleAxisd turn(0.7 * s, Vec3(1, 2, 3).normalized());
     turned.emplace_back();
     for (const Vec3& p : shape) turned.back().push_back(turn * p + 100.0 * s * Vec3::Ones());
   }
-  const ShapeModel model = build_shape_model(procrustes(turned, ScaleMode::keep).aligned, {});
+  const ShapeModel model = model_of_aligned(procrustes(turned, ScaleMode::keep).aligned, {});
   EXPECT_EQ(model.modes(), 0);
   EXPECT_EQ(model.reconstruct(Eigen::VectorXd(0)), model.mean());
 }
 
 TEST(ShapeModel, ScoresAndReconstructionAreInverse) {
   const Shapes shapes = random_shapes(8, 25, 11);
-  const ShapeModel model = build_shape_model(shapes, {});
+  const ShapeModel model = model_of_aligned(shapes, {});
   for (const auto& s : shapes)  // all modes span every training shape
     EXPECT_LT((model.reconstruct(model.scores(flattened(s), model.modes())) - flattened(s)).norm(), 1e-11);
   const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(4, -3, 5);
@@ -164,17 +164,17 @@ TEST(ShapeModel, ScoresAndReconstructionAreInverse) {
 
 TEST(ShapeModel, RotatingAllShapesRotatesTheModel) {
   Shapes shapes = random_shapes(6, 15, 12);
-  const ShapeModel before = build_shape_model(shapes, {});
+  const ShapeModel before = model_of_aligned(shapes, {});
   const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(3, -1, 2).normalized()).toRotationMatrix();
   for (auto& s : shapes)
     for (Vec3& p : s) p = turn * p;
-  const ShapeModel after = build_shape_model(shapes, {});
+  const ShapeModel after = model_of_aligned(shapes, {});
   ASSERT_EQ(before.modes(), after.modes());
   EXPECT_LT((before.variance() - after.variance()).norm(), 1e-11 * before.variance().norm());
 }
 
 TEST(ShapeModel, DrawsHaveTheModelsVariance) {
-  const ShapeModel model = build_shape_model(random_shapes(5, 10, 13), {});
+  const ShapeModel model = model_of_aligned(random_shapes(5, 10, 13), {});
   const Rng root(1);
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(model.modes()), squares = sum;
   const int draws = 20000;
@@ -191,7 +191,7 @@ TEST(ShapeModel, DrawsHaveTheModelsVariance) {
 }
 
 TEST(ShapeModel, AlongModeIsInStandardDeviations) {
-  const ShapeModel model = build_shape_model(random_shapes(5, 10, 14), {});
+  const ShapeModel model = model_of_aligned(random_shapes(5, 10, 14), {});
   const Eigen::VectorXd step = model.along_mode(1, -2) - model.mean();
   EXPECT_NEAR(step.norm(), 2 * std::sqrt(model.variance()[1]), 1e-12);
   EXPECT_NEAR(model.basis().col(1).dot(step), -2 * std::sqrt(model.variance()[1]), 1e-12);
@@ -199,16 +199,16 @@ TEST(ShapeModel, AlongModeIsInStandardDeviations) {
 
 TEST(ShapeModel, RefusesWhatItCannotUse) {
   const Shapes shapes = random_shapes(4, 10, 15);
-  EXPECT_THROW(build_shape_model({shapes[0]}, {}), InvalidInput);
-  EXPECT_THROW(build_shape_model({}, {}), InvalidInput);
+  EXPECT_THROW(model_of_aligned({shapes[0]}, {}), InvalidInput);
+  EXPECT_THROW(model_of_aligned({}, {}), InvalidInput);
   auto missing = shapes;
   missing[1].pop_back();
-  EXPECT_THROW(build_shape_model(missing, {}), InvalidInput);
+  EXPECT_THROW(model_of_aligned(missing, {}), InvalidInput);
   auto broken = shapes;
   broken[1][2].x() = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(build_shape_model(broken, {}), InvalidInput);
-  EXPECT_THROW(build_shape_model(shapes, {{0, 1, 10}}), InvalidInput);
-  const ShapeModel model = build_shape_model(shapes, {{0, 1, 9}});
+  EXPECT_THROW(model_of_aligned(broken, {}), InvalidInput);
+  EXPECT_THROW(model_of_aligned(shapes, {{0, 1, 10}}), InvalidInput);
+  const ShapeModel model = model_of_aligned(shapes, {{0, 1, 9}});
   EXPECT_THROW(model.scores(Eigen::VectorXd::Zero(27), 1), InvalidInput);
   EXPECT_THROW(model.scores(model.mean(), 4), InvalidInput);
   EXPECT_THROW(model.reconstruct(Eigen::VectorXd::Zero(4)), InvalidInput);

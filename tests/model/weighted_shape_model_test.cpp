@@ -46,8 +46,8 @@ Eigen::MatrixXd covariance_of(const ShapeModel& model) {
 
 TEST(WeightedShapeModel, WeightsOfOneChangeNothing) {
   const Shapes shapes = random_shapes(7, 20, 21);
-  const ShapeModel plain = build_shape_model(shapes, {});
-  const ShapeModel ones = build_shape_model(shapes, {}, std::vector<double>(20, 1.0));
+  const ShapeModel plain = model_of_aligned(shapes, {});
+  const ShapeModel ones = model_of_aligned(shapes, {}, std::vector<double>(20, 1.0));
   EXPECT_EQ(plain.mean(), ones.mean());
   EXPECT_EQ(plain.basis(), ones.basis());
   EXPECT_EQ(plain.variance(), ones.variance());
@@ -62,7 +62,7 @@ TEST(WeightedShapeModel, AgreesWithTheGeneralisedEigenproblem) {
   const int landmarks = 8, count = 6;
   const Shapes shapes = random_shapes(count, landmarks, 22);
   const auto weights = random_weights(landmarks, 23);
-  const ShapeModel model = build_shape_model(shapes, {}, weights);
+  const ShapeModel model = model_of_aligned(shapes, {}, weights);
   Eigen::MatrixXd x(3 * landmarks, count);
   for (Eigen::Index s = 0; s < count; ++s) x.col(s) = flattened(shapes[static_cast<std::size_t>(s)]);
   x.colwise() -= Eigen::VectorXd(x.rowwise().mean());
@@ -82,7 +82,7 @@ TEST(WeightedShapeModel, AgreesWithTheGeneralisedEigenproblem) {
 
 TEST(WeightedShapeModel, ModesAreOrthonormalInTheWeightsAndSigned) {
   const auto weights = random_weights(30, 24);
-  const ShapeModel model = build_shape_model(random_shapes(9, 30, 25), {}, weights);
+  const ShapeModel model = model_of_aligned(random_shapes(9, 30, 25), {}, weights);
   const Eigen::MatrixXd gram =
       model.basis().transpose() * per_coordinate(weights).asDiagonal() * model.basis();
   EXPECT_LT((gram - Eigen::MatrixXd::Identity(8, 8)).cwiseAbs().maxCoeff(), 1e-13);
@@ -91,7 +91,7 @@ TEST(WeightedShapeModel, ModesAreOrthonormalInTheWeightsAndSigned) {
 
 TEST(WeightedShapeModel, ScoresAreThoseOfTheClosestReconstruction) {
   const Shapes shapes = random_shapes(8, 25, 26);
-  const ShapeModel model = build_shape_model(shapes, {}, random_weights(25, 27));
+  const ShapeModel model = model_of_aligned(shapes, {}, random_weights(25, 27));
   for (const auto& s : shapes)
     EXPECT_LT((model.reconstruct(model.scores(flattened(s), model.modes())) - flattened(s)).norm(), 1e-11);
   const Eigen::VectorXd shape = flattened(random_shapes(1, 25, 28)[0]), best = model.scores(shape, 4);
@@ -126,8 +126,8 @@ TEST(WeightedShapeModel, ALandmarkTwiceWithHalfItsWeightChangesNothing) {
   const ProcrustesResult two = procrustes(doubled, ScaleMode::remove, halved);
   for (std::size_t s = 0; s < shapes.size(); ++s)
     EXPECT_LT((one.transforms[s].matrix() - two.transforms[s].matrix()).norm(), 1e-9);
-  const ShapeModel a = build_shape_model(one.aligned, {}, weights);
-  const ShapeModel b = build_shape_model(two.aligned, {}, halved);
+  const ShapeModel a = model_of_aligned(one.aligned, {}, weights);
+  const ShapeModel b = model_of_aligned(two.aligned, {}, halved);
   ASSERT_EQ(a.modes(), b.modes());
   EXPECT_NEAR(a.total_weight(), b.total_weight(), 1e-12);
   EXPECT_LT((a.variance() - b.variance()).norm(), 1e-9 * a.variance().norm());
@@ -137,14 +137,14 @@ TEST(WeightedShapeModel, ALandmarkTwiceWithHalfItsWeightChangesNothing) {
               b.landmark_rms(flattened(two.aligned[0]), b.mean()), 1e-9);
   // Without weights the landmark that stands there twice counts twice.
   EXPECT_GT(
-      std::abs(build_shape_model(doubled, {}).variance()[0] - build_shape_model(shapes, {}).variance()[0]),
+      std::abs(model_of_aligned(doubled, {}).variance()[0] - model_of_aligned(shapes, {}).variance()[0]),
       1e-3);
 }
 
 TEST(Reweighted, IsTheSameDistributionInTheModesOfTheWeights) {
   const Shapes shapes = random_shapes(8, 25, 31);
   const auto weights = random_weights(25, 32);
-  const ShapeModel plain = build_shape_model(shapes, {}), weighted = build_shape_model(shapes, {}, weights);
+  const ShapeModel plain = model_of_aligned(shapes, {}), weighted = model_of_aligned(shapes, {}, weights);
   const ShapeModel there = reweighted(plain, weights), back = reweighted(there, {});
   EXPECT_EQ(there.weights(), weights);
   EXPECT_TRUE(back.weights().empty());
@@ -159,13 +159,13 @@ TEST(Reweighted, IsTheSameDistributionInTheModesOfTheWeights) {
 
 TEST(WeightedShapeModel, RefusesWeightsThatAreNoInnerProduct) {
   const Shapes shapes = random_shapes(4, 10, 33);
-  const ShapeModel model = build_shape_model(shapes, {});
+  const ShapeModel model = model_of_aligned(shapes, {});
   std::vector<double> fewer(9, 1.0), zero(10, 1.0), negative = zero, broken = zero;
   zero[3] = 0;
   negative[3] = -1;
   broken[3] = std::numeric_limits<double>::quiet_NaN();
   for (const auto& weights : {fewer, zero, negative, broken}) {
-    EXPECT_THROW(build_shape_model(shapes, {}, weights), InvalidInput);
+    EXPECT_THROW(model_of_aligned(shapes, {}, weights), InvalidInput);
     EXPECT_THROW(reweighted(model, weights), InvalidInput);
     EXPECT_THROW(ShapeModel(model.mean(), model.basis(), model.variance(), {}, weights), InvalidInput);
   }

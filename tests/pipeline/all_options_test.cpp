@@ -7,8 +7,8 @@
 #include "foramen/core/options.hpp"
 #include "foramen/evaluate/evaluate_model.hpp"
 #include "foramen/extract/extract_label.hpp"
-#include "foramen/pipeline/build_model.hpp"
 #include "foramen/repair/repair_mesh.hpp"
+#include "foramen/stages/build_model.hpp"
 #include "foramen/synth/synth_cohort.hpp"
 #include "pipeline/options_json.hpp"
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/io/statismo_file.hpp"
-#include "pipeline/torus_family.hpp"
+#include "pipeline/read_family.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {
@@ -20,48 +20,49 @@ Eigen::MatrixXd covariance(const Eigen::MatrixXd& basis, const Eigen::VectorXd& 
 class ModelFolder : public ::testing::TestWithParam<LandmarkWeights> {
  protected:
   // Made once for all tests of the same weights.
-  static const ModelBuild& build() {
-    static std::map<LandmarkWeights, ModelBuild> made;
+  static const BuildRecord& build() {
+    static std::map<LandmarkWeights, BuildRecord> made;
     const auto found = made.find(GetParam());
     if (found != made.end()) return found->second;
     BuildOptions options = testing::small();
     options.landmarks.count = 300;
     options.model.weights = GetParam();
-    return made.emplace(GetParam(), build_model(testing::family(), options, RunContext(2))).first->second;
+    return made.emplace(GetParam(), testing::family_build(options)).first->second;
   }
 };
 
 TEST_P(ModelFolder, TheModelReadBackIsTheModelBuilt) {
   const testing::TemporaryFolder folder;
-  const ModelBuild& made = build();
+  const BuildRecord& made = build();
   write_model_files(folder.path(), made, "foramen build", 1);
   const LoadedModel loaded = load_model(folder.path());
-  EXPECT_EQ(loaded.model.weights(), made.model.weights());
+  EXPECT_EQ(loaded.model.weights(), made.built.aligned.model.weights());
   EXPECT_EQ(loaded.model.weights().empty(), GetParam() == LandmarkWeights::equal);
-  ASSERT_EQ(loaded.model.modes(), made.model.modes());
-  EXPECT_TRUE(loaded.model.mean().isApprox(made.model.mean(), single_precision));
-  EXPECT_TRUE(loaded.model.variance().isApprox(made.model.variance(), single_precision));
-  EXPECT_TRUE(loaded.model.basis().isApprox(made.model.basis(), single_precision));
-  EXPECT_TRUE(loaded.scores.isApprox(training_scores(made), single_precision));
+  ASSERT_EQ(loaded.model.modes(), made.built.aligned.model.modes());
+  EXPECT_TRUE(loaded.model.mean().isApprox(made.built.aligned.model.mean(), single_precision));
+  EXPECT_TRUE(loaded.model.variance().isApprox(made.built.aligned.model.variance(), single_precision));
+  EXPECT_TRUE(loaded.model.basis().isApprox(made.built.aligned.model.basis(), single_precision));
+  EXPECT_TRUE(loaded.scores.isApprox(training_scores(made.built.aligned), single_precision));
 }
 
 // Readers that know no weights take the file's own modes: orthonormal, of the same distribution of shapes,
 // with the scores of the same shapes.
 TEST_P(ModelFolder, TheFileIsRightForReadersThatKnowNoWeights) {
   const testing::TemporaryFolder folder;
-  const ModelBuild& made = build();
+  const BuildRecord& made = build();
   write_model_files(folder.path(), made, "foramen build", 1);
   const StatismoModel file = read_statismo(folder.file("model.h5"));
   const auto k = file.variance.size();
   EXPECT_LT((file.basis.transpose() * file.basis - Eigen::MatrixXd::Identity(k, k)).norm(), single_precision);
   EXPECT_TRUE(covariance(file.basis, file.variance)
-                  .isApprox(covariance(made.model.basis(), made.model.variance()), single_precision));
-  ASSERT_EQ(file.scores.cols(), std::ssize(made.shapes));
+                  .isApprox(covariance(made.built.aligned.model.basis(), made.built.aligned.model.variance()),
+                            single_precision));
+  ASSERT_EQ(file.scores.cols(), std::ssize(made.inputs));
   for (Eigen::Index i = 0; i < file.scores.cols(); ++i) {
     const Eigen::VectorXd shape =
         file.mean + file.basis * file.scores.col(i).cwiseProduct(file.variance.cwiseSqrt());
-    EXPECT_TRUE(
-        shape.isApprox(flattened(made.procrustes.aligned[static_cast<std::size_t>(i)]), single_precision));
+    EXPECT_TRUE(shape.isApprox(flattened(made.built.aligned.alignment.aligned[static_cast<std::size_t>(i)]),
+                               single_precision));
   }
 }
 

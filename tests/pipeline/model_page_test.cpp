@@ -11,8 +11,8 @@
 #include "foramen/report/encoded_array.hpp"
 #include "foramen/report/interactive_page.hpp"
 #include "pipeline/report_data.hpp"
-#include "pipeline/torus_family.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/torus_family.hpp"
 
 namespace foramen {
 namespace {
@@ -28,8 +28,7 @@ class ModelPageOf : public ::testing::Test {
     folder_ = new testing::TemporaryFolder;
     const fs::path shapes = folder_->file("shapes");
     fs::create_directories(shapes);
-    for (const InputShape& shape : testing::family().shapes)
-      write_ply(shapes / shape.file_name, shape.mesh.soup());
+    for (const Shape& shape : testing::family()) write_ply(shapes / (shape.name + ".ply"), shape.mesh.soup());
     std::ofstream(shapes / "broken.ply") << "no mesh";
     build(shapes, model(), 300);
     build(shapes, baseline(), 200);

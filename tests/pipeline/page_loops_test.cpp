@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
-#include "pipeline/torus_family.hpp"
+#include "support/torus_family.hpp"
 
 namespace foramen {
 namespace {
@@ -94,10 +94,11 @@ TEST(LoopsOnLandmarks, LieWhereTheTemplatesLoopsLie) {
   options.correspondence.group.round_limit = 0;
   options.landmarks.count = 600;
   options.landmarks.spread.density_updates = 0;
-  const ModelBuild build = build_model(testing::family(), options, RunContext(2));
-  const Atlas atlas = atlas_of(build);
-  const Mesh landmarks = build_mesh(
-      {build.shapes[static_cast<std::size_t>(build.reference)].landmarks, build.landmarks.triangles});
+  const BuiltModel built = build_model(testing::family(), options, RunContext(2));
+  const Atlas atlas = atlas_of(built);
+  const Mesh landmarks =
+      build_mesh({built.landmarks.points[static_cast<std::size_t>(built.registration.reference)],
+                  built.landmarks.mesh.triangles});
   const Loops loops = loops_on_landmarks(atlas);
   for (std::size_t k = 0; k < 2; ++k) {
     ASSERT_EQ(loops[k].size(), atlas.loops[k].size());

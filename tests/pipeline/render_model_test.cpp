@@ -9,8 +9,8 @@
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/pipeline/run_build.hpp"
 #include "foramen/render/render_scene.hpp"
-#include "pipeline/torus_family.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/torus_family.hpp"
 
 namespace foramen {
 namespace {
@@ -29,8 +29,7 @@ class RenderModel : public ::testing::Test {
     folder_ = new testing::TemporaryFolder;
     const fs::path shapes = folder_->file("shapes");
     fs::create_directories(shapes);
-    for (const InputShape& shape : testing::family().shapes)
-      write_ply(shapes / shape.file_name, shape.mesh.soup());
+    for (const Shape& shape : testing::family()) write_ply(shapes / (shape.name + ".ply"), shape.mesh.soup());
     build(shapes, model(), 300);
     build(shapes, baseline(), 200);
   }

@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/torus_family.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/torus_family.hpp"
 
 namespace foramen {
 namespace {
@@ -103,18 +103,18 @@ TEST(ResumeStore, GoesOnWithoutKeepingWhereNothingCanBeWritten) {
 }
 
 TEST(StageScope, NamesEverySurfaceAndOption) {
-  const std::vector<InputShape> shapes = testing::family().shapes;
+  const std::vector<Shape> shapes = testing::family();
   const std::string scope = stage_scope(shapes, testing::small());
   EXPECT_EQ(stage_scope(shapes, testing::small()), scope);
   std::vector<std::string> others;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    std::vector<InputShape> other = shapes;
+    std::vector<Shape> other = shapes;
     TriangleSoup soup = other[i].mesh.soup();
     soup.points[7].y() = std::nextafter(soup.points[7].y(), 1e9);
     other[i].mesh = build_mesh(soup);
     others.push_back(stage_scope(other, testing::small()));
   }
-  std::vector<InputShape> swapped = shapes;
+  std::vector<Shape> swapped = shapes;
   std::swap(swapped[1], swapped[2]);
   others.push_back(stage_scope(swapped, testing::small()));
   BuildOptions options = testing::small();

@@ -6,7 +6,7 @@
 
 #include "foramen/apply/project_shape.hpp"
 #include "foramen/core/error.hpp"
-#include "pipeline/torus_family.hpp"
+#include "pipeline/read_family.hpp"
 #include "support/real_meshes.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -17,7 +17,7 @@ class UsableModelTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new testing::TemporaryFolder;
-    build_ = new ModelBuild(build_model(testing::family(), testing::small(), RunContext(2)));
+    build_ = new BuildRecord(testing::family_build(testing::small()));
     write_model_files(folder_->path(), *build_, "foramen build", 1);
   }
   static void TearDownTestSuite() {
@@ -25,11 +25,11 @@ class UsableModelTest : public ::testing::Test {
     delete folder_;
   }
   static const testing::TemporaryFolder& folder() { return *folder_; }
-  static const ModelBuild& build() { return *build_; }
+  static const BuildRecord& build() { return *build_; }
 
  private:
   static inline testing::TemporaryFolder* folder_ = nullptr;
-  static inline ModelBuild* build_ = nullptr;
+  static inline BuildRecord* build_ = nullptr;
 };
 
 double rms(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -40,13 +40,13 @@ double rms(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 TEST_F(UsableModelTest, HoldsTheShapesThatTheModelWasMadeOf) {
   const UsableModel model = read_usable_model(folder().path());
-  ASSERT_EQ(model.names.size(), build().shapes.size());
+  ASSERT_EQ(model.names.size(), build().inputs.size());
   for (std::size_t i = 0; i < model.names.size(); ++i) {
-    EXPECT_EQ(model.names[i], build().shapes[i].input.stem);
-    EXPECT_LT(rms(model.aligned.alignment.aligned[i], build().procrustes.aligned[i]), 1e-3);
+    EXPECT_EQ(model.names[i], build().inputs[i].stem);
+    EXPECT_LT(rms(model.aligned.alignment.aligned[i], build().built.aligned.alignment.aligned[i]), 1e-3);
   }
   EXPECT_EQ(model.scale, ScaleMode::keep);
-  EXPECT_EQ(model.lattice, build().reference_map.shape_map.map.lattice);
+  EXPECT_EQ(model.lattice, build().built.registration.frame.reference.shape_map.map.lattice);
 }
 
 // Root mean square over the landmarks [mm] of what one score in standard deviations differs by.
@@ -66,13 +66,14 @@ TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
   const UsableModel model = read_usable_model(folder().path());
   const MeanRegistrar registrar = registrar_of(model, RunContext(1));
   for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
-    const ShapeOutcome& shape = build().shapes[k];
+    const InputShape& shape = build().inputs[k];
+    const std::vector<Vec3>& landmarks = build().built.landmarks.points[k];
     const std::vector<Vec3> found =
-        registrar.landmarks_on(transformed(shape.input.mesh, some_pose()), RunContext(1));
-    EXPECT_LT(rms(found, transformed(shape.landmarks, some_pose())), 0.5) << shape.input.stem;
-    const ProjectedShape own = project_shape(shape.landmarks, model.aligned, model.scale),
+        registrar.landmarks_on(transformed(shape.mesh, some_pose()), RunContext(1));
+    EXPECT_LT(rms(found, transformed(landmarks, some_pose())), 0.5) << shape.stem;
+    const ProjectedShape own = project_shape(landmarks, model.aligned, model.scale),
                          again = project_shape(found, model.aligned, model.scale);
-    EXPECT_LT(score_distance(model, own.scores[0], again.scores[0]), 0.2) << shape.input.stem;
+    EXPECT_LT(score_distance(model, own.scores[0], again.scores[0]), 0.2) << shape.stem;
   }
 }
 
@@ -87,19 +88,20 @@ TEST(UsableModel, RealDataScoresOfATrainingShapeComeBack) {
     input.mesh = testing::real_mesh("lumbar/" + stem);
   }
   BuildOptions options = testing::small();
-  const ModelBuild built = build_model(std::move(cohort), options, RunContext(2));
+  const BuildRecord built = build_from(std::move(cohort), options, RunContext(2));
   const testing::TemporaryFolder model_folder;
   write_model_files(model_folder.path(), built, "foramen build", 1);
   const UsableModel model = read_usable_model(model_folder.path());
   const MeanRegistrar registrar = registrar_of(model, RunContext(1));
   for (const std::size_t k : {std::size_t{1}, std::size_t{4}}) {
-    const ShapeOutcome& shape = built.shapes[k];
-    const ProjectedShape own = project_shape(shape.landmarks, model.aligned, model.scale),
-                         again = project_shape(registrar.landmarks_on(
-                                                   transformed(shape.input.mesh, some_pose()), RunContext(1)),
-                                               model.aligned, model.scale);
+    const InputShape& shape = built.inputs[k];
+    const std::vector<Vec3>& landmarks = built.built.landmarks.points[k];
+    const ProjectedShape own = project_shape(landmarks, model.aligned, model.scale),
+                         again = project_shape(
+                             registrar.landmarks_on(transformed(shape.mesh, some_pose()), RunContext(1)),
+                             model.aligned, model.scale);
     for (Eigen::Index m = 0; m < own.scores.size(); ++m)
-      EXPECT_NEAR(own.scores[m], again.scores[m], 0.2) << shape.input.stem << ", mode " << m + 1;
+      EXPECT_NEAR(own.scores[m], again.scores[m], 0.2) << shape.stem << ", mode " << m + 1;
   }
 }
 
@@ -115,7 +117,7 @@ TEST_F(UsableModelTest, FilesOfTwoModelsAreRefused) {
   const testing::TemporaryFolder mixed;
   BuildOptions fewer = testing::small();
   fewer.landmarks.count = 300;
-  write_model_files(mixed.path(), build_model(testing::family(), fewer, RunContext(2)), "foramen build", 1);
+  write_model_files(mixed.path(), testing::family_build(fewer), "foramen build", 1);
   std::filesystem::copy_file(folder().path() / "atlas.h5", mixed.path() / "atlas.h5",
                              std::filesystem::copy_options::overwrite_existing);
   EXPECT_THROW(read_usable_model(mixed.path()), IoError);

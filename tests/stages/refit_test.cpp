@@ -1,4 +1,4 @@
-#include "foramen/pipeline/refit.hpp"
+#include "foramen/stages/refit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/surface_distance.hpp"
-#include "pipeline/model_archive.hpp"
-#include "pipeline/torus_family.hpp"
+#include "stages/model_archive.hpp"
 #include "support/memory_store.hpp"
+#include "support/torus_family.hpp"
 
 namespace foramen {
 namespace {
@@ -30,58 +30,55 @@ BuildOptions quick_build() {
 }
 
 // A last shape that is the second in another pose.
-Cohort family_with_twins() {
-  Cohort cohort = family();
-  InputShape twin = cohort.shapes[1];
-  twin.stem = "twin";
+std::vector<Shape> family_with_twins() {
+  std::vector<Shape> shapes = family();
   RigidTransform pose = RigidTransform::Identity();
   pose.rotate(Eigen::AngleAxisd(2, Vec3(1, -1, 3).normalized())).pretranslate(Vec3(5, 60, -20));
-  twin.mesh = transformed(twin.mesh, pose);
-  cohort.shapes.push_back(std::move(twin));
-  return cohort;
+  shapes.push_back({"twin", transformed(shapes[1].mesh, pose)});
+  return shapes;
 }
 
-Cohort family_with_another_first() {
-  Cohort cohort = family();
-  cohort.shapes[0].mesh = build_mesh(testing::lopsided_torus_soup(50, 26, 1.6));
-  return cohort;
+std::vector<Shape> family_with_another_first() {
+  std::vector<Shape> shapes = family();
+  shapes[0].mesh = build_mesh(testing::lopsided_torus_soup(50, 26, 1.6));
+  return shapes;
 }
 
-double representation_error(const ShapeOutcome& shape, const LandmarkMesh& landmarks) {
-  return surface_distance(TriangleTree(build_mesh({shape.landmarks, landmarks.triangles})),
-                          TriangleTree(shape.input.mesh), {.samples = 1000})
+double representation_error(const Shape& shape, const Landmarks& landmarks, std::size_t i) {
+  return surface_distance(TriangleTree(build_mesh({landmarks.points[i], landmarks.mesh.triangles})),
+                          TriangleTree(shape.mesh), {.samples = 1000})
       .mean;
 }
 
 TEST(Refit, AShapeWhoseTwinIsInTheModelIsDescribedAsWellAsItIsRepresented) {
   const BuildOptions options = quick_build();
-  const ModelBuild build = build_model(family_with_twins(), options, RunContext(2));
-  ASSERT_EQ(build.shapes.size(), 5u);
-  const RefitGeneralization refit = refit_generalization(build, {}, options, measure, RunContext(2));
+  const std::vector<Shape> shapes = family_with_twins();
+  const Landmarks landmarks = build_model(shapes, options, RunContext(2)).landmarks;
+  ASSERT_EQ(landmarks.names.size(), 5u);
+  const RefitGeneralization refit = refit_generalization(shapes, {}, options, measure, RunContext(2));
   EXPECT_TRUE(refit.failures.empty());
   EXPECT_THAT(refit.names, ::testing::ElementsAre("s0", "s1", "s2", "s3", "twin"));
   EXPECT_EQ(refit.generalization.groups, 5);
   ASSERT_EQ(refit.generalization.by_modes.size(), 3u);  // 1 .. n - 2
   const std::vector<ShapeError>& errors = refit.generalization.by_modes.back().items;
   for (const std::size_t i : {1u, 4u}) {
-    const double represented = representation_error(build.shapes[i], build.landmarks);
+    const double represented = representation_error(shapes[i], landmarks, i);
     EXPECT_LT(errors[i].mean_surface, 1.3 * represented) << refit.names[i];
   }
 }
 
 TEST(Refit, TheModelOfTheOthersDoesNotSeeTheShape) {
   BuildOptions options = quick_build();
-  const ModelBuild one = build_model(family(), options, RunContext(2));
   options.correspondence.reference = "s0";  // must not matter when it is left out
-  const ModelBuild other = build_model(family_with_another_first(), options, RunContext(2));
-  const ModelBuild a = build_without(one, {0}, quick_build(), RunContext(2));
-  const ModelBuild b = build_without(other, {0}, options, RunContext(1));
-  ASSERT_EQ(a.shapes.size(), 3u);
-  EXPECT_EQ(a.landmarks.turns, b.landmarks.turns);
-  EXPECT_EQ(a.group_template.grid, b.group_template.grid);
-  EXPECT_EQ(a.model.mean(), b.model.mean());
-  EXPECT_EQ(a.model.variance(), b.model.variance());
-  EXPECT_NE(one.model.variance(), other.model.variance()) << "the shape is to differ";
+  const BuiltModel a = build_without(family(), {0}, quick_build(), RunContext(2));
+  const BuiltModel b = build_without(family_with_another_first(), {0}, options, RunContext(1));
+  ASSERT_EQ(a.landmarks.names.size(), 3u);
+  EXPECT_EQ(a.landmarks.mesh.turns, b.landmarks.mesh.turns);
+  EXPECT_EQ(a.registration.frame.group.grid, b.registration.frame.group.grid);
+  EXPECT_EQ(a.aligned.model.mean(), b.aligned.model.mean());
+  EXPECT_EQ(a.aligned.model.variance(), b.aligned.model.variance());
+  EXPECT_NE(family()[0].mesh.positions()[0], family_with_another_first()[0].mesh.positions()[0])
+      << "the shape is to differ";
 }
 
 TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
@@ -91,23 +88,23 @@ TEST(Refit, OfAMemberItGivesTheLandmarksTheMemberHas) {
     BuildOptions options = quick_build();
     options.correspondence.method = method;
     options.correspondence.objective = objective;
-    const ModelBuild build = build_model(family(), options, RunContext(2));
-    const std::size_t other = build.reference == 0 ? 1 : 0;
-    const auto landmarks = landmarks_on_unseen(build.shapes[other].input.mesh, build, options, RunContext(1));
-    ASSERT_EQ(landmarks.size(), build.shapes[other].landmarks.size());
+    const BuiltModel built = build_model(family(), options, RunContext(2));
+    const std::size_t other = built.registration.reference == 0 ? 1 : 0;
+    const auto landmarks = landmarks_on_newcomer(family()[other].mesh, built.registration, built.landmarks,
+                                                 options.correspondence, RunContext(1));
+    ASSERT_EQ(landmarks.size(), built.landmarks.points[other].size());
     for (std::size_t p = 0; p < landmarks.size(); ++p)
-      EXPECT_LE((landmarks[p] - build.shapes[other].landmarks[p]).norm(), largest_mm);
+      EXPECT_LE((landmarks[p] - built.landmarks.points[other][p]).norm(), largest_mm);
   }
 }
 
 TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
   BuildOptions options = quick_build();
   options.correspondence.method = Method::icp;
-  const ModelBuild build = build_model(family(), options, RunContext(2));
   GeneralizationOptions by_subject = measure;
   by_subject.leave_out = LeaveOut::subject;
   const RefitGeneralization refit =
-      refit_generalization(build, {"a", "a", "b", "c"}, options, by_subject, RunContext(2));
+      refit_generalization(family(), {"a", "a", "b", "c"}, options, by_subject, RunContext(2));
   EXPECT_THAT(refit.names, ::testing::ElementsAre("s2", "s3"));
   EXPECT_EQ(refit.generalization.groups, 2);
   ASSERT_EQ(refit.failures.size(), 2u);
@@ -121,11 +118,11 @@ TEST(Refit, ShapesThatCannotEnterAreNamedWithTheReason) {
 TEST(Refit, GroupsDoneBeforeAreTakenUp) {
   BuildOptions options = quick_build();
   options.correspondence.method = Method::icp;
-  const ModelBuild build = build_model(family(), options, RunContext(2));
   GeneralizationOptions by_subject = measure;
   by_subject.leave_out = LeaveOut::subject;
   const auto refit = [&](const RunContext& ctx) {
-    const RefitGeneralization r = refit_generalization(build, {"a", "a", "b", "c"}, options, by_subject, ctx);
+    const RefitGeneralization r =
+        refit_generalization(family(), {"a", "a", "b", "c"}, options, by_subject, ctx);
     ByteWriter bytes;
     bytes(r.names, r.failures);
     for (const ErrorsAtModes& e : r.generalization.by_modes)
@@ -145,10 +142,9 @@ TEST(Refit, GroupsDoneBeforeAreTakenUp) {
 TEST(Refit, AStopRequestReachesTheBuilds) {
   BuildOptions options = quick_build();
   options.correspondence.method = Method::icp;
-  const ModelBuild build = build_model(family(), options, RunContext(2));
   const RunContext stopped(1);
   stopped.request_stop();
-  EXPECT_THROW(refit_generalization(build, {}, options, measure, stopped), Cancelled);
+  EXPECT_THROW(refit_generalization(family(), {}, options, measure, stopped), Cancelled);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "foramen/core/run_context.hpp"
 #include "foramen/evaluate/cohort.hpp"
+#include "foramen/model/build_shape_model.hpp"
 
 namespace foramen {
 
@@ -47,11 +48,6 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
 /// \param subjects  one per shape; not looked at for LeaveOut::shape
 std::vector<std::vector<int>> left_out_together(int shapes, const std::vector<std::string>& subjects,
                                                 LeaveOut leave_out);
-
-struct AlignedModel {
-  ProcrustesResult alignment;  ///< what the model was made of
-  ShapeModel model;
-};
 
 /// d(input, x(M)) of one shape that is not in the model, for each of the numbers of modes.
 /// \param landmarks, input  in the shape's own coordinates, mm

@@ -62,8 +62,8 @@ std::vector<Vec3> unflattened(const Eigen::VectorXd& x);
 /// positive. With weights (one per landmark, > 0) that of the coordinates times the roots of their weights:
 /// the variances sum to \f$ \frac{1}{n-1} \sum_s \sum_i w_i |x_{si} - \bar x_i|^2 \f$. \pre at least 2 shapes
 /// of the same length
-ShapeModel build_shape_model(const std::vector<std::vector<Vec3>>& aligned,
-                             std::vector<std::array<int, 3>> triangles, std::vector<double> weights = {});
+ShapeModel model_of_aligned(const std::vector<std::vector<Vec3>>& aligned,
+                            std::vector<std::array<int, 3>> triangles, std::vector<double> weights = {});
 
 /// The same distribution of shapes, basis * diag(variance) * basis^T, in modes that are orthonormal under
 /// other weights (empty: all alike).

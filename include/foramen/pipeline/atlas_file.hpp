@@ -12,7 +12,7 @@
 
 namespace foramen {
 
-struct ModelBuild;
+struct BuiltModel;
 
 /// The template (the reference's input mesh) with its torus map and loops, the landmarks' coordinates, each
 /// shape's way into model coordinates.
@@ -25,7 +25,7 @@ struct Atlas {
   std::vector<Eigen::Matrix4d> transforms;  ///< one per shape: input coordinates in mm -> model coordinates
 };
 
-Atlas atlas_of(const ModelBuild& build);
+Atlas atlas_of(const BuiltModel& built);
 
 /// HDF5 with these paths; P landmarks, T landmark triangles, V and F of the template:
 ///

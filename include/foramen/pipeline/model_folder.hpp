@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/pipeline/build_model.hpp"
+#include "foramen/pipeline/build_record.hpp"
 
 namespace foramen {
 
@@ -24,12 +24,12 @@ struct LoadedModel {
 LoadedModel load_model(const std::filesystem::path& path);
 
 /// Scores of the training shapes, modes x shapes, in standard deviations.
-Eigen::MatrixXd training_scores(const ModelBuild& build);
+Eigen::MatrixXd training_scores(const AlignedModel& aligned);
 
 /// mean.ply, model.h5, corresponding/, modes/, atlas.h5, scores.csv; each whole or not at all. `command` is
 /// recorded. The corresponding meshes are divided by `millimetres` per unit, back to the units of the input
 /// files.
-void write_model_files(const std::filesystem::path& folder, const ModelBuild& build,
+void write_model_files(const std::filesystem::path& folder, const BuildRecord& record,
                        const std::string& command, double millimetres);
 
 /// modeNN_minus2sd.ply and modeNN_plus2sd.ply for every mode.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "foramen/core/stage_store.hpp"
-#include "foramen/pipeline/build_model.hpp"
+#include "foramen/stages/build_model.hpp"
 
 namespace foramen {
 
@@ -47,6 +47,6 @@ class ResumeStore : public StageStore {
 };
 
 /// Names all that the stages of a build depend on, by content: the surfaces, the options, this very program.
-std::string stage_scope(const std::vector<InputShape>& shapes, const BuildOptions& options);
+std::string stage_scope(std::span<const Shape> shapes, const BuildOptions& options);
 
 }  // namespace foramen

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "foramen/evaluate/evaluate_model.hpp"
-#include "foramen/pipeline/build_model.hpp"
+#include "foramen/pipeline/build_record.hpp"
 
 namespace foramen {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to pipeline: an aligned cohort's model as bytes, to be kept.
+/// Private to stages: an aligned cohort's model as bytes, to be kept.
 
 #include <utility>
 

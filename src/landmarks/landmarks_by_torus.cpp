@@ -1,12 +1,10 @@
-#include "pipeline/place_landmarks.hpp"
+#include "landmarks/landmarks_by_torus.hpp"
 
 #include <memory>
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
-#include "foramen/correspond/icp_baseline.hpp"
 #include "foramen/sampling/lift_to_surface.hpp"
 #include "foramen/sampling/refine_landmarks.hpp"
 #include "foramen/sampling/torus_grid.hpp"
@@ -27,16 +25,15 @@ struct LiftingShape {
   std::unique_ptr<TriangleTree> tree;  // from plant_trees() on
 };
 
-// Takes the maps out of the outcomes: from here on they are known by their locators, and a cohort of large
-// shapes has no room for both.
-std::vector<LiftingShape> lifting_shapes(ModelBuild& build, const RunContext& ctx) {
-  std::vector<LiftingShape> shapes(build.shapes.size());
+// From here on the maps are known by their locators: a cohort of large shapes has no room for both.
+std::vector<LiftingShape> lifting_shapes(const std::vector<Mesh>& meshes, std::vector<TorusMap> maps,
+                                         const RunContext& ctx) {
+  std::vector<LiftingShape> shapes(meshes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    ShapeOutcome& shape = build.shapes[static_cast<std::size_t>(i)];
-    auto& lifting = shapes[static_cast<std::size_t>(i)];
-    TorusMap map = std::exchange(shape.registration.shape_map.map, {});
-    lifting.locator = std::make_unique<TorusLocator>(shape.input.mesh, map);
-    lifting.turns = std::move(map.turns);
+    const auto k = static_cast<std::size_t>(i);
+    TorusMap map = std::exchange(maps[k], {});
+    shapes[k].locator = std::make_unique<TorusLocator>(meshes[k], map);
+    shapes[k].turns = std::move(map.turns);
   });
   return shapes;
 }
@@ -56,7 +53,6 @@ std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& sh
   });
   return all;
 }
-
 // A surface to put landmarks on: the dense mean, with its torus map and how densely it is to be sampled.
 struct DenseMean {
   TorusGrid grid;
@@ -127,55 +123,32 @@ RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<Li
     if (mean_representation_error(refined.landmarks, shapes, options, ctx) <= *options.target_error_mm)
       return refined;
   }
-  throw ConvergenceError("--target-error " + std::to_string(*options.target_error_mm) +
-                         ": not reached with " + std::to_string(most_landmarks) +
-                         " landmarks; give a larger error");
+  throw ConvergenceError("the target error of " + std::to_string(*options.target_error_mm) +
+                         " mm is not reached with " + std::to_string(most_landmarks) +
+                         " landmarks; give a larger one");
 }
 
 }  // namespace
 
-void place_landmarks(ModelBuild& build, const PlaceLandmarksOptions& options, const RunContext& ctx) {
-  auto shapes = lifting_shapes(build, ctx);
-  const DenseMean mean = dense_mean(shapes, build.reference_map.shape_map.map.lattice, options, ctx);
+Landmarks landmarks_by_torus(const std::vector<Mesh>& meshes, std::vector<TorusMap> maps,
+                             const PlaceLandmarksOptions& options, const RunContext& ctx) {
+  const Lattice lattice = maps.front().lattice;
+  std::vector<LiftingShape> shapes = lifting_shapes(meshes, std::move(maps), ctx);
+  const DenseMean mean = dense_mean(shapes, lattice, options, ctx);
   plant_trees(shapes, ctx);
   ctx.step("resample", 0.3);
   RefinedLandmarks refined = options.target_error_mm
                                  ? landmarks_for_error(mean, shapes, options, ctx)
                                  : landmarks_on(mean, shapes, options.count, options, ctx);
   ctx.step("resample", 0.9);
-  build.landmarks = std::move(refined.landmarks);
-  build.inserted_landmarks = refined.inserted;
-  build.remaining_flips = refined.remaining;
-  build.initial_self_intersections = refined.initial_self_intersections;
-  build.remaining_self_intersections = refined.remaining_self_intersections;
-  auto lifted_landmarks = lifted_to_all(shapes, build.landmarks.turns, ctx);
-  for (std::size_t i = 0; i < build.shapes.size(); ++i)
-    build.shapes[i].landmarks = std::move(lifted_landmarks[i]);
-}
-
-void place_landmarks_by_icp(ModelBuild& build, const PlaceLandmarksOptions& options, const RunContext& ctx) {
-  const Mesh& reference = build.reference_map.mesh();
-  const TorusMap& map = build.reference_map.shape_map.map;
-  build.landmarks =
-      remesh(reference, map, curvature_density(reference, options.spread.density), ctx,
-             {.landmarks = options.count, .relaxation_rounds = options.spread.relaxation_rounds});
-
-  const TorusLocator locator(reference, map);
-  std::vector<Vec3> landmarks;
-  for (const Vec2& p : build.landmarks.turns) landmarks.push_back(position(reference, locator.locate(p)));
-  const auto normals = vertex_normals(build_mesh({landmarks, build.landmarks.triangles}));
-  parallel_for(static_cast<int>(build.shapes.size()), ctx, [&](int i) {
-    ShapeOutcome& shape = build.shapes[static_cast<std::size_t>(i)];
-    if (i == build.reference) {
-      shape.landmarks = landmarks;
-      return;
-    }
-    const TriangleTree tree(shape.input.mesh);
-    auto carried =
-        icp_correspondence(landmarks, normals.values(), tree, shape.registration.alignment.transform);
-    shape.landmarks = std::move(carried.points);
-    shape.unmatched = carried.without_compatible;
-  });
+  Landmarks result;
+  result.points = lifted_to_all(shapes, refined.landmarks.turns, ctx);
+  result.mesh = std::move(refined.landmarks);
+  result.inserted = refined.inserted;
+  result.remaining_flips = refined.remaining;
+  result.initial_self_intersections = refined.initial_self_intersections;
+  result.remaining_self_intersections = refined.remaining_self_intersections;
+  return result;
 }
 
 }  // namespace foramen

@@ -1,0 +1,217 @@
+#include "foramen/correspond/correspond.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "correspond/registered_archive.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/core/freed_memory.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/core/parallel.hpp"
+#include "foramen/core/stage_store.hpp"
+
+namespace foramen {
+namespace {
+
+// The search for a reference's loops takes seconds at this size and grows with more than the power 3/2 of it.
+constexpr int large_reference_vertices = 100000;
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void require_enough(std::size_t usable, std::span<const FailedShape> failed) {
+  if (usable >= fewest_shapes) return;
+  std::string message = "a model needs at least " + std::to_string(fewest_shapes) + " usable shapes, found " +
+                        std::to_string(usable);
+  for (const FailedShape& shape : failed) message += "\n  left out " + shape.name + ": " + shape.reason;
+  throw TooFewShapes(message);
+}
+
+// Those to try, in order.
+std::vector<int> reference_candidates(std::span<const Shape> shapes, const std::string& name) {
+  if (name == "auto") return rank_references(shapes);
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    if (shapes[i].name == name) return {static_cast<int>(i)};
+  throw InvalidInput("the reference " + name + " is not among the usable shapes");
+}
+
+struct MappedReference {
+  int shape = 0;
+  Reference reference;
+  std::vector<FailedShape> refused;
+};
+
+// The first candidate that can be mapped. A surface that is usable as such may be too ragged for a map, and
+// the cohort must not fail for it.
+MappedReference map_first_reference(std::span<const Shape> shapes, const CorrespondOptions& options,
+                                    const RunContext& ctx) {
+  MappedReference found;
+  for (const int candidate : reference_candidates(shapes, options.reference)) {
+    const Shape& shape = shapes[static_cast<std::size_t>(candidate)];
+    try {
+      found.reference = kept<Reference>(ctx, "reference " + shape.name,
+                                        [&] { return map_reference(shape.mesh, ctx, options.registration); });
+      found.shape = candidate;
+      return found;
+    } catch (const ConvergenceError& e) {
+      found.refused.push_back({shape.name, e.what()});
+    }
+  }
+  const FailedShape& last = found.refused.back();
+  throw ConvergenceError(last.name + " cannot be the reference: " + last.reason);
+}
+
+RegisteredShape reference_itself(const Reference& reference) {
+  RegisteredShape self;
+  self.alignment.converged = true;
+  self.shape_map = reference.shape_map;
+  self.homology = Eigen::Matrix2i::Identity();
+  self.seifert = reference.loops.seifert;
+  self.agreement = Vec2::Ones();
+  return self;
+}
+
+RegisteredShape only_aligned(const Mesh& shape, const Reference& reference, const RunContext& ctx) {
+  RegisteredShape result;
+  result.alignment = align(shape, reference.mesh(), ctx);
+  return result;
+}
+
+// Each shape with the reference, by itself.
+GroupRegistration register_each(std::span<const Shape> shapes, const MappedReference& mapped,
+                                const CorrespondOptions& options, const RunContext& ctx) {
+  GroupRegistration result;
+  result.members.resize(shapes.size());
+  // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
+  const RunContext single = ctx.with_threads(1);
+  std::atomic<int> done{0};
+  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
+    const Shape& shape = shapes[static_cast<std::size_t>(i)];
+    GroupMember& member = result.members[static_cast<std::size_t>(i)];
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      if (i == mapped.shape)
+        member.registered = reference_itself(mapped.reference);
+      else
+        member.registered = kept<RegisteredShape>(ctx, "register " + std::to_string(i), [&] {
+          return options.method == Method::icp
+                     ? only_aligned(shape.mesh, mapped.reference, single)
+                     : register_shape(shape.mesh, mapped.reference, single, options.registration);
+        });
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
+      member.failure = e.what();
+    }
+    member.seconds = seconds_since(start);
+    ctx.step("register", static_cast<double>(++done) / static_cast<double>(shapes.size()), shape.name);
+  });
+  return result;
+}
+
+GroupRegistration register_all(std::span<const Shape> shapes, const MappedReference& mapped,
+                               const CorrespondOptions& options, const RunContext& ctx) {
+  if (!registered_together(options)) return register_each(shapes, mapped, options, ctx);
+  std::vector<Mesh> meshes;
+  for (const Shape& shape : shapes) meshes.push_back(shape.mesh);
+  return register_group(meshes, mapped.reference, mapped.shape, ctx, options.group);
+}
+
+ShapeRegistration registration_of(const std::string& name, const RegisteredShape& shape, bool mapped,
+                                  double seconds) {
+  const ShapeMap& map = shape.shape_map;
+  return {.name = name,
+          .alignment = shape.alignment,
+          .mapped = mapped,
+          .certificate = map.certificate,
+          .iterations = map.iterations,
+          .initial_energy = map.initial_energy,
+          .final_energy = map.final_energy,
+          .distortion = map.distortion,
+          .homology = shape.homology,
+          .seifert = shape.seifert,
+          .agreement = shape.agreement,
+          .seconds = seconds};
+}
+
+}  // namespace
+
+bool registered_together(const CorrespondOptions& options) {
+  return options.method == Method::torus && options.objective == Objective::surface;
+}
+
+std::vector<int> rank_references(std::span<const Shape> shapes) {
+  std::vector<double> areas, volumes;
+  for (const Shape& shape : shapes) {
+    areas.push_back(std::log(total_area(shape.mesh)));
+    volumes.push_back(std::log(signed_volume(shape.mesh)));
+  }
+  const double area = median(areas), volume = median(volumes);
+  std::vector<std::tuple<bool, double, int>> deviations;
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    deviations.emplace_back(shapes[i].mesh.vertex_count() > large_reference_vertices,
+                            std::abs(areas[i] - area) + std::abs(volumes[i] - volume), static_cast<int>(i));
+  std::sort(deviations.begin(), deviations.end());
+  std::vector<int> order;
+  for (const auto& [large, deviation, shape] : deviations) order.push_back(shape);
+  return order;
+}
+
+Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions& options,
+                          const RunContext& ctx) {
+  check_options("correspond", options);
+  require_enough(shapes.size(), {});
+  ctx.step("reference", 0);
+  const auto start = std::chrono::steady_clock::now();
+  MappedReference mapped = map_first_reference(shapes, options, ctx);
+  return_freed_memory();
+  const double reference_seconds = seconds_since(start);
+  GroupRegistration group = register_all(shapes, mapped, options, ctx);
+  const std::string& reference_failure = group.members[static_cast<std::size_t>(mapped.shape)].failure;
+  if (!reference_failure.empty())
+    throw ConvergenceError("the reference " + shapes[static_cast<std::size_t>(mapped.shape)].name +
+                           " cannot be registered with the mean of all shapes (" + reference_failure +
+                           "); name another reference");
+
+  Correspondence result;
+  CohortRegistration& cohort = result.registration;
+  cohort.method = options.method;
+  cohort.reference_seconds = reference_seconds;
+  cohort.refused_references = std::move(mapped.refused);
+  cohort.frame.reference = std::move(mapped.reference);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    GroupMember& member = group.members[i];
+    if (!member.registered) {
+      cohort.failed.push_back({shapes[i].name, std::move(member.failure)});
+      continue;
+    }
+    const bool is_reference = static_cast<int>(i) == mapped.shape;
+    if (is_reference) {
+      cohort.reference = static_cast<int>(cohort.shapes.size());
+      cohort.frame.reference.shape_map = member.registered->shape_map;
+    }
+    cohort.shapes.push_back(registration_of(shapes[i].name, *member.registered,
+                                            is_reference || options.method == Method::torus, member.seconds));
+    result.maps.push_back(std::move(member.registered->shape_map.map));
+  }
+  require_enough(cohort.shapes.size(), cohort.failed);
+  cohort.frame.group = std::move(group.last_template);
+  cohort.template_motion_mm = std::move(group.template_motion_mm);
+  cohort.unexplained_shares = std::move(group.unexplained_shares);
+  cohort.description_lengths = std::move(group.description_lengths);
+  return result;
+}
+
+}  // namespace foramen
