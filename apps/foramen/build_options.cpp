@@ -80,6 +80,10 @@ void BuildArguments::add_to(CLI::App& command) {
   command.add_flag("--resume", resume,
                    "go on with an interrupted build into the same folder: what it had finished is taken up "
                    "if inputs, options and program are the same");
+  command.add_option(
+      "--store", store,
+      "folder that keeps finished stages after success too; other builds, also at the same time, "
+      "take up what they have in common");
 }
 
 BuildRequest BuildArguments::request(const std::vector<std::string>& inputs, const std::string& output,
@@ -95,6 +99,7 @@ BuildRequest BuildArguments::request(const std::vector<std::string>& inputs, con
   request.evaluation = flags.evaluation;
   request.refit = refit;
   request.resume = resume;
+  request.store = store;
   request.subject_pattern = flags.subject_pattern;
   request.canonical_command = canonical_command;
   return request;

@@ -42,7 +42,7 @@ struct BuildFlags {
 struct BuildArguments {
   BuildFlags flags;
   LabelFlags label_flags;
-  std::string truth;
+  std::string truth, store;
   LengthUnit unit = LengthUnit::millimetre;
   bool refit = false, resume = false, repair = false;
   RepairOptions repair_options;

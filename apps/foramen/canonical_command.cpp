@@ -8,8 +8,9 @@ namespace foramen::app {
 namespace fs = std::filesystem;
 
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs) {
-  static const std::vector<std::string> without{"--output", "--truth",  "--threads", "--resume", "--json",
-                                                "--quiet",  "--events", "--log",     "inputs",   "--help"};
+  static const std::vector<std::string> without{"--output", "--truth", "--threads", "--resume",
+                                                "--json",   "--quiet", "--events",  "--log",
+                                                "--store",  "inputs",  "--help"};
   std::string text = "foramen " + command.get_name();
   for (const std::string& input : inputs)
     text += " " + fs::path(input).lexically_normal().filename().string();

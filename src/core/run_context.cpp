@@ -20,10 +20,9 @@ RunContext RunContext::with_threads(int threads) const {
   return other;
 }
 
-RunContext RunContext::with_store(std::shared_ptr<StageStore> store, std::string scope) const {
+RunContext RunContext::with_store(std::shared_ptr<StageStore> store) const {
   RunContext other = *this;
   other.store_ = std::move(store);
-  other.store_scope_ = std::move(scope);
   return other;
 }
 

@@ -61,8 +61,10 @@ MappedReference map_first_reference(std::span<const Shape> shapes, const Corresp
   for (const int candidate : reference_candidates(shapes, options.reference)) {
     const Shape& shape = shapes[static_cast<std::size_t>(candidate)];
     try {
-      found.reference = kept<Reference>(ctx, "reference " + shape.name,
-                                        [&] { return map_reference(shape.mesh, ctx, options.registration); });
+      RegisterOptions how = options.registration;
+      how.neighbours = {};  // of no effect on the reference
+      found.reference = kept<Reference>(ctx, StageKey(ctx, "reference", shape.mesh, how),
+                                        [&] { return map_reference(shape.mesh, ctx, how); });
       found.shape = candidate;
       return found;
     } catch (const ConvergenceError& e) {
@@ -96,6 +98,7 @@ GroupRegistration register_each(std::span<const Shape> shapes, const MappedRefer
   result.members.resize(shapes.size());
   // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
   const RunContext single = ctx.with_threads(1);
+  const StageKey to_reference(ctx, "mapped reference", mapped.reference);
   std::atomic<int> done{0};
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
     const Shape& shape = shapes[static_cast<std::size_t>(i)];
@@ -104,12 +107,14 @@ GroupRegistration register_each(std::span<const Shape> shapes, const MappedRefer
     try {
       if (i == mapped.shape)
         member.registered = reference_itself(mapped.reference);
-      else
-        member.registered = kept<RegisteredShape>(ctx, "register " + std::to_string(i), [&] {
-          return options.method == Method::icp
-                     ? only_aligned(shape.mesh, mapped.reference, single)
-                     : register_shape(shape.mesh, mapped.reference, single, options.registration);
+      else if (options.method == Method::icp)
+        member.registered = kept<RegisteredShape>(ctx, StageKey(ctx, "align", shape.mesh, to_reference), [&] {
+          return only_aligned(shape.mesh, mapped.reference, single);
         });
+      else
+        member.registered = kept<RegisteredShape>(
+            ctx, StageKey(ctx, "register", shape.mesh, to_reference, options.registration),
+            [&] { return register_shape(shape.mesh, mapped.reference, single, options.registration); });
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes

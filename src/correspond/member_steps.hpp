@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "foramen/core/stage_store.hpp"
 #include "foramen/correspond/register_group.hpp"
 #include "foramen/correspond/template_metric.hpp"
 #include "foramen/simplify/working_mesh.hpp"
@@ -33,6 +34,7 @@ struct MemberState {
 struct Member : MemberState {
   const Mesh* input = nullptr;
   WorkingMesh working;
+  StageKey made_from;           // the key of its present state
   int place_in_priors = 0;      // of the group's CohortPriors
   std::vector<Vec3> attractor;  // as bent, what the description length draws it to; empty: bent serves
 };

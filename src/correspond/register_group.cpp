@@ -11,12 +11,12 @@
 #include <string>
 #include <utility>
 
+#include "correspond/member_archive.hpp"
+#include "correspond/member_steps.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/sampling/torus_grid.hpp"
-#include "correspond/member_archive.hpp"
-#include "correspond/member_steps.hpp"
 
 namespace foramen {
 namespace {
@@ -24,6 +24,33 @@ namespace {
 PreparedTemplate reference_template(const Reference& reference, const RegisterGroupOptions& options,
                                     const RunContext& ctx) {
   return {remeshed_template(reference.mesh(), reference.shape_map.map, options.mean.vertices, ctx), options};
+}
+
+// Of the options those that decide a member's first registration; the others have their defaults.
+RegisterGroupOptions options_of_first(RegisterGroupOptions options) {
+  const RegisterGroupOptions defaults;
+  if (options.bending == Bending::cohort) options.bending = Bending::smooth;  // nothing is learnt yet
+  options.cohort = defaults.cohort;
+  options.again = defaults.again;
+  options.round_limit = defaults.round_limit;
+  options.still_mm = defaults.still_mm;
+  options.description_rounds = defaults.description_rounds;
+  options.description = defaults.description;
+  options.mean.grid_points = defaults.mean.grid_points;
+  return options;
+}
+
+// The same of a later registration, to a template that is given.
+RegisterGroupOptions options_of_later(RegisterGroupOptions options) {
+  const RegisterGroupOptions defaults;
+  options.initial_map = defaults.initial_map;
+  options.edge_cost = defaults.edge_cost;
+  options.first = defaults.first;
+  options.mean = defaults.mean;
+  options.round_limit = defaults.round_limit;
+  options.still_mm = defaults.still_mm;
+  options.description_rounds = defaults.description_rounds;
+  return options;
 }
 
 class GroupRegistrar {
@@ -44,14 +71,17 @@ class GroupRegistrar {
     const PreparedTemplate first = reference_template(reference_, options_, ctx_);
     for_each_member("simplify", [&](int i) {
       Member& member = members_[static_cast<std::size_t>(i)];
-      member.working = kept<WorkingMesh>(ctx_, "working mesh " + std::to_string(i),
-                                         [&] { return steps_.simplified(*member.input); });
+      const StageKey key(ctx_, "working mesh", *member.input, options_.working_vertices);
+      member.working = kept<WorkingMesh>(ctx_, key, [&] { return steps_.simplified(*member.input); });
+      member.made_from = key;
     });
-    advance_each_member("register", [&](int i) {
+    const StageKey to_reference(ctx_, "group's reference", reference_, options_of_first(options_));
+    advance_each_member("register", to_reference, [&](int i) {
       Member& member = members_[static_cast<std::size_t>(i)];
       steps_.begin(member, alignment_of(i), first);
     });
     const PreparedTemplate* last = &first;
+    StageKey to_last(ctx_, "group's template", to_reference, options_of_later(options_));
     std::unique_ptr<PreparedTemplate> mean;
     GroupTemplate& group = result_.last_template;
     // What the other shapes tell in the first round they have from maps made without it.
@@ -62,26 +92,31 @@ class GroupRegistrar {
       // A mean that stands still is no one's template: what is bent stays in the frame of the one before.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
+      to_last = StageKey(ctx_, "group's mean", all_made_from(), options_.mean, options_of_later(options_));
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
       last = mean.get();
       group = {round + 1, std::move(next.surface), std::move(next.grid), {}};
       for_each_member("place", [&](int i) { steps_.place(members_[static_cast<std::size_t>(i)], *mean); });
       if (options_.bending == Bending::cohort) learn_priors(*mean);
       group.prior = priors_.of_newcomer();
-      advance_each_member("round " + std::to_string(round + 1), [&](int i) {
+      advance_each_member("round " + std::to_string(round + 1), to_last, [&](int i) {
         Member& member = members_[static_cast<std::size_t>(i)];
         steps_.again(member, *mean, priors_.of_member(member.place_in_priors));
       });
     }
     for (int round = 0; round < options_.description_rounds; ++round) {
+      const StageKey described(ctx_, "group's description", to_last, all_made_from());
       describe(*last);
-      advance_each_member("describe " + std::to_string(round + 1), [&](int i) {
+      advance_each_member("describe " + std::to_string(round + 1), described, [&](int i) {
         Member& member = members_[static_cast<std::size_t>(i)];
         steps_.improve(member, transformed(member.working.mesh, member.to_template), *last);
       });
     }
+    const StageKey finished = options_.description_rounds > 0
+                                  ? StageKey(ctx_, "group's description", to_last, all_made_from())
+                                  : to_last;
     if (options_.description_rounds > 0) describe(*last);
-    advance_each_member("finish",
+    advance_each_member("finish", finished,
                         [&](int i) { steps_.finish(members_[static_cast<std::size_t>(i)], *last); });
     for (std::size_t i = 0; i < members_.size(); ++i)
       if (result_.members[i].failure.empty()) result_.members[i].registered = std::move(members_[i].result);
@@ -111,14 +146,26 @@ class GroupRegistrar {
   }
 
   // The same for a step that brings the members on: what each has come to is kept, or was and is taken up.
-  void advance_each_member(const std::string& stage, const std::function<void(int)>& step) {
+  // \param to  what the step takes beside the member
+  void advance_each_member(const std::string& stage, const StageKey& to,
+                           const std::function<void(int)>& step) {
     for_each_member(stage, [&](int i) {
-      MemberState& state = members_[static_cast<std::size_t>(i)];
-      state = kept<MemberState>(ctx_, stage + " " + std::to_string(i), [&] {
+      Member& member = members_[static_cast<std::size_t>(i)];
+      MemberState& state = member;
+      member.made_from =
+          StageKey(ctx_, stage.substr(0, stage.find(' ')), member.made_from, to, i == reference_index_);
+      state = kept<MemberState>(ctx_, member.made_from, [&] {
         step(i);
         return std::move(state);
       });
     });
+  }
+
+  // What all members that are still there were made from.
+  std::vector<StageKey> all_made_from() {
+    std::vector<StageKey> keys;
+    for (const Member* member : present()) keys.push_back(member->made_from);
+    return keys;
   }
 
   Alignment alignment_of(int i) const {

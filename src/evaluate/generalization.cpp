@@ -32,10 +32,8 @@ AlignedModel model_without(const CorrespondingCohort& cohort, const std::vector<
   return partial;
 }
 
-void check_options(const CorrespondingCohort& cohort, const GeneralizationOptions& options) {
-  if (options.samples <= 0)
-    throw InvalidInput("generalization: " + std::to_string(options.samples) +
-                       " samples a surface asked for; give 1 or more");
+void check(const CorrespondingCohort& cohort, const GeneralizationOptions& options) {
+  check_options("generalization", options);
   if (options.leave_out == LeaveOut::subject && cohort.subjects.empty())
     throw InvalidInput(
         "generalization: subjects are not known, so none can be left out; name them, or leave out shapes");
@@ -111,7 +109,7 @@ std::vector<ErrorsAtModes> over_shapes(const std::vector<std::vector<ShapeError>
 Generalization generalization(const CorrespondingCohort& cohort, const GeneralizationOptions& options,
                               const RunContext& ctx) {
   check_cohort(cohort);
-  check_options(cohort, options);
+  check(cohort, options);
   const auto groups = left_out_together(cohort.size(), cohort.subjects, options.leave_out);
   const auto largest = std::max_element(groups.begin(), groups.end(),
                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -125,7 +123,7 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
       landmark_weights(cohort.corresponding, cohort.triangles, options.scale, options.weights);
   const std::vector<int> counts = mode_counts(remaining - 1);
   std::vector<std::vector<ShapeError>> errors(cohort.corresponding.size());
-  const bool by_subject = options.leave_out == LeaveOut::subject;
+  const StageKey of_cohort(ctx, "cohort", cohort.corresponding, cohort.triangles, cohort.inputs, options);
   detail::StageProgress progress(ctx, "generalization", cohort.size());
   // A model is as large as all its shapes, and there are as many as groups: each lives only while its group
   // is measured.
@@ -142,7 +140,7 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
       const int i = group[static_cast<std::size_t>(k)];
       const auto s = static_cast<std::size_t>(i);
       errors[s] = kept<std::vector<ShapeError>>(
-          ctx, (by_subject ? "generalization by subject " : "generalization ") + std::to_string(i), [&] {
+          ctx, StageKey(ctx, "generalization", of_cohort, counts, group, i), [&] {
             return unseen_errors(cohort.corresponding[s], cohort.inputs[s], model_of_others(), counts,
                                  options);
           });

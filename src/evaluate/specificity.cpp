@@ -148,14 +148,19 @@ Specificity specificity(const AlignedCohort& cohort, int last_mode, const Specif
   check_options(options);
   const std::vector<int> counts = mode_counts(last_mode);
   Ensemble ensemble(cohort, counts, options, ctx);
+  const StageKey of_cohort(ctx, "aligned cohort", cohort.alignment.aligned, cohort.inputs,
+                           cohort.model.triangles(), cohort.model.weights(), counts);
   const Rng root(options.seed);
   std::vector<DrawBlock> blocks(static_cast<std::size_t>((options.draws + block_draws - 1) / block_draws));
   detail::StageProgress progress(ctx, "specificity", options.draws);
   parallel_for(static_cast<int>(blocks.size()), ctx, [&](int b) {
     DrawBlock& block = blocks[static_cast<std::size_t>(b)];
-    block = kept<DrawBlock>(ctx, "specificity " + std::to_string(b), [&] {
+    const int first = b * block_draws, last = std::min(options.draws, first + block_draws);
+    const StageKey key(ctx, "specificity", of_cohort, options.seed, options.surface_samples,
+                       options.hausdorff, options.mean_surface, first, last);
+    block = kept<DrawBlock>(ctx, key, [&] {
       DrawBlock measured;
-      for (int draw = b * block_draws; draw < std::min(options.draws, (b + 1) * block_draws); ++draw) {
+      for (int draw = first; draw < last; ++draw) {
         ctx.check();
         measured.errors.push_back(ensemble.measure(root.fork(static_cast<std::uint64_t>(draw))));
       }

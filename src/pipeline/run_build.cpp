@@ -1,7 +1,6 @@
 #include "foramen/pipeline/run_build.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <fstream>
 #include <memory>
@@ -11,15 +10,15 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
-#include "foramen/io/sha256.hpp"
 #include "foramen/pipeline/corresponding_folder.hpp"
 #include "foramen/pipeline/error_maps_file.hpp"
 #include "foramen/pipeline/metrics_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 #include "foramen/pipeline/model_page.hpp"
 #include "foramen/pipeline/repair_record.hpp"
-#include "foramen/pipeline/resume_store.hpp"
+#include "foramen/pipeline/version.hpp"
 #include "foramen/stages/refit.hpp"
+#include "foramen/store/folder_store.hpp"
 #include "pipeline/folder_lock.hpp"
 #include "pipeline/run_json.hpp"
 
@@ -46,11 +45,14 @@ void remove_leftovers_of_builds(const fs::path& model) {
   for (const fs::path& folder : {model, model / "corresponding", model / "modes"}) remove_leftovers(folder);
 }
 
-std::string evaluation_scope(const CorrespondingCohort& cohort, const EvaluationOptions& options,
-                             const std::string& build_scope) {
-  return build_scope + " " +
-         sha256(to_bytes(std::array{options.draws, options.samples, options.specificity_samples}) +
-                to_bytes(cohort.subjects));
+// Finished stages are kept in the folder that was asked for, or in the model's own until all is written.
+std::shared_ptr<FolderStore> store_of(const BuildRequest& request) {
+  if (!request.store.empty())
+    return std::make_shared<FolderStore>(request.store, program_identity(), FolderStore::Use::shared);
+  const fs::path folder = request.output / ".resume";
+  std::error_code failed;
+  if (!request.resume) fs::remove_all(folder, failed);
+  return std::make_shared<FolderStore>(folder, program_identity(), FolderStore::Use::alone);
 }
 
 // A former build into the same folder may have had other shapes: their files would pass for this model's.
@@ -148,13 +150,11 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   prepare_folder(request.output);
   const FolderLock lock(request.output);
   remove_leftovers_of_builds(request.output);
-  const auto store = std::make_shared<ResumeStore>(
-      request.output, request.resume ? ResumeStore::Start::resume : ResumeStore::Start::anew);
+  const auto store = store_of(request);
   ctx.step("read", 0);
   Cohort read =
       read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}), request.repair);
-  const std::string scope = stage_scope(surfaces_of(read.shapes), request.build);
-  const RunContext keeping = ctx.with_store(store, scope);
+  const RunContext keeping = ctx.with_store(store);
   const BuildRecord record = build_from(std::move(read), request.build, keeping);
 
   const CorrespondingCohort cohort = corresponding_cohort(record, request.subject_pattern);
@@ -164,9 +164,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   evaluation_options.seed = request.build.landmarks.seed;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
-  Evaluation evaluation = evaluate_model(
-      cohort, evaluation_options, ctx.with_store(store, evaluation_scope(cohort, evaluation_options, scope)),
-      truth ? &*truth : nullptr);
+  Evaluation evaluation = evaluate_model(cohort, evaluation_options, keeping, truth ? &*truth : nullptr);
   if (request.refit) add_refits(evaluation, surfaces_of(record.inputs), request.build, keeping);
 
   ctx.step("write", 0);
@@ -179,7 +177,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   write_file(request.output / "run.json", run.dump(2) + "\n");
   const ModelPage page = model_page(request.output);  // of what was written: `foramen report` makes the same
   write_file(request.output / "report.html", page.html);
-  store->remove();
+  if (request.store.empty()) store->remove();
   ctx.step("write", 1);
 
   BuildSummary summary;

@@ -44,13 +44,14 @@ class Refit {
   }
 
   RefitGeneralization run() {
+    std::vector<StageKey> of_shapes;
+    for (const Shape& shape : shapes_) of_shapes.emplace_back(ctx_, "shape", shape.name, shape.mesh);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       ctx_.step("refit", static_cast<double>(g) / static_cast<double>(groups_.size()));
       // The stages of the builds would be told, and kept, as if the whole began anew.
-      const RunContext inner = ctx_.without_progress().with_store(nullptr, {});
-      const std::string of = measure_.leave_out == LeaveOut::shape ? "shape " : "subject ";
-      refitted_.push_back(kept<RefittedGroup>(ctx_, "refit without " + of + std::to_string(g),
-                                              [&] { return leave_out(g, inner); }));
+      const RunContext inner = ctx_.without_progress().with_store(nullptr);
+      const StageKey key(ctx_, "refit", of_shapes, groups_[g], group_names_[g], options_, measure_);
+      refitted_.push_back(kept<RefittedGroup>(ctx_, key, [&] { return leave_out(g, inner); }));
       const auto& failures = refitted_.back().failures;
       result_.failures.insert(result_.failures.end(), failures.begin(), failures.end());
     }

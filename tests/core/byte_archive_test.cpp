@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/stage_store.hpp"
-#include "support/memory_store.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {
@@ -78,27 +77,6 @@ TEST(ByteArchive, BytesThatEndTooEarlyOrTooLateAreOurDefect) {
   EXPECT_THROW(from_bytes<std::string>(to_bytes(std::int64_t{1} << 60)), InternalError) << "a lying count";
   EXPECT_THROW(from_bytes<std::string>(to_bytes(-1)), InternalError);
   EXPECT_THROW(from_bytes<int>(std::string(11, '\xff')), InternalError) << "an endless integer";
-}
-
-TEST(Kept, IsComputedOnce) {
-  const auto store = std::make_shared<testing::MemoryStore>();
-  const RunContext ctx = RunContext(1).with_store(store, "scope");
-  int computed = 0;
-  const auto work = [&] { return std::vector<int>{++computed}; };
-  EXPECT_EQ(kept<std::vector<int>>(ctx, "a", work), std::vector<int>{1});
-  EXPECT_EQ(kept<std::vector<int>>(ctx, "a", work), std::vector<int>{1});
-  EXPECT_EQ(kept<std::vector<int>>(ctx, "b", work), std::vector<int>{2}) << "another name";
-  EXPECT_EQ(kept<std::vector<int>>(ctx.with_store(store, "other"), "a", work), std::vector<int>{3});
-  EXPECT_EQ(kept<std::vector<int>>(ctx.with_threads(2), "a", work), std::vector<int>{1});
-  EXPECT_EQ(kept<std::vector<int>>(RunContext(1), "a", work), std::vector<int>{4}) << "no store";
-}
-
-TEST(Kept, WhatThrowsIsNotKept) {
-  const auto store = std::make_shared<testing::MemoryStore>();
-  const RunContext ctx = RunContext(1).with_store(store, "scope");
-  const auto fail = []() -> int { throw InvalidInput("no"); };
-  EXPECT_THROW(kept<int>(ctx, "a", fail), InvalidInput);
-  EXPECT_EQ(store->size(), 0);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(RunContext, WithoutProgressStillStops) {
 TEST(RunContext, AStopRequestReachesAllCopiesAndNoOtherRun) {
   int reports = 0;
   const RunContext ctx(1, [&](const Progress&) { ++reports; }), other(1);
-  const RunContext copy = ctx, threaded = ctx.with_threads(4), stored = ctx.with_store(nullptr, "");
+  const RunContext copy = ctx, threaded = ctx.with_threads(4), stored = ctx.with_store(nullptr);
   EXPECT_NO_THROW(copy.check());
   EXPECT_FALSE(ctx.stop_requested());
   threaded.request_stop();
@@ -104,12 +104,10 @@ TEST(RunContext, ACallbackThatThrowsIsCalledAgain) {
 TEST(RunContext, KeepsItsStoreWhateverElseIsChanged) {
   const auto store = std::make_shared<testing::MemoryStore>();
   EXPECT_EQ(RunContext(1).store(), nullptr);
-  const RunContext ctx = RunContext(1).with_store(store, "cohort");
-  for (const RunContext& run : {ctx, ctx.with_threads(2), ctx.without_progress()}) {
+  const RunContext ctx = RunContext(1).with_store(store);
+  for (const RunContext& run : {ctx, ctx.with_threads(2), ctx.without_progress()})
     EXPECT_EQ(run.store(), store.get());
-    EXPECT_EQ(run.store_scope(), "cohort");
-  }
-  EXPECT_EQ(ctx.with_store(nullptr, "").store(), nullptr);
+  EXPECT_EQ(ctx.with_store(nullptr).store(), nullptr);
 }
 
 }  // namespace

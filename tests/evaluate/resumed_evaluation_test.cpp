@@ -29,10 +29,10 @@ TEST(ResumedEvaluation, HasTheSameFiguresWhereverItWasStopped) {
   constexpr int parts = 5 + 5 + 3;  // shapes, shapes by subject, blocks of five draws
   for (const int stop_at : {1, 7, 11, 12}) {
     const auto store = std::make_shared<testing::MemoryStore>();
-    const RunContext first = RunContext(1).with_store(store, "");
+    const RunContext first = RunContext(1).with_store(store);
     store->stop(first, stop_at);
     EXPECT_THROW(evaluate_model(cohort, options, first), Cancelled);
-    const RunContext second = RunContext(2).with_store(store, "");
+    const RunContext second = RunContext(2).with_store(store);
     EXPECT_EQ(bytes_of(evaluate_model(cohort, options, second)), undisturbed) << stop_at;
     EXPECT_EQ(store->loads, stop_at);
     EXPECT_EQ(store->kept_twice, 0);

@@ -130,10 +130,10 @@ TEST(Refit, GroupsDoneBeforeAreTakenUp) {
     return bytes.take();
   };
   const auto store = std::make_shared<testing::MemoryStore>();
-  const RunContext first = RunContext(1).with_store(store, "");
+  const RunContext first = RunContext(1).with_store(store);
   store->stop(first, 2);
   EXPECT_THROW(refit(first), Cancelled);
-  const std::string resumed = refit(RunContext(2).with_store(store, ""));
+  const std::string resumed = refit(RunContext(2).with_store(store));
   EXPECT_EQ(store->loads, 2);
   EXPECT_EQ(store->size(), 3);
   EXPECT_EQ(resumed, refit(RunContext(1)));

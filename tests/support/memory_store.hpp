@@ -14,6 +14,11 @@ namespace foramen::testing {
 
 class MemoryStore : public StageStore {
  public:
+  /// A number for every string of bytes that was asked for, in order.
+  std::string digest(std::string_view bytes) const override {
+    const std::lock_guard lock(mutex_);
+    return std::to_string(digests_.emplace(bytes, digests_.size()).first->second);
+  }
   std::optional<std::string> load(const std::string& key) override {
     const std::lock_guard lock(mutex_);
     const auto found = entries_.find(key);
@@ -28,7 +33,7 @@ class MemoryStore : public StageStore {
   }
   /// The run is asked to stop once there are so many entries.
   void stop(const RunContext& run, int at) {
-    stop_ = run.with_store(nullptr, "");  // which is this one: they would keep each other alive
+    stop_ = run.with_store(nullptr);  // which is this one: they would keep each other alive
     stop_at_ = at;
   }
   int size() const { return static_cast<int>(entries_.size()); }
@@ -36,7 +41,8 @@ class MemoryStore : public StageStore {
   int loads = 0, kept_twice = 0;
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
+  mutable std::map<std::string, std::size_t, std::less<>> digests_;
   std::map<std::string, std::string> entries_;
   std::optional<RunContext> stop_;
   int stop_at_ = 0;

@@ -30,11 +30,10 @@ class RunContext {
   int threads() const { return threads_; }
   /// The same run (stop request, progress) with another number of threads.
   RunContext with_threads(int threads) const;
-  /// The same run with its finished work kept in a store (see kept()); keys begin with the scope.
-  RunContext with_store(std::shared_ptr<StageStore> store, std::string scope) const;
+  /// The same run with its finished work kept in a store (see kept()); null: nothing is kept.
+  RunContext with_store(std::shared_ptr<StageStore> store) const;
   /// Null: nothing is kept.
   StageStore* store() const { return store_.get(); }
-  const std::string& store_scope() const { return store_scope_; }
   /// The same run without its callback, for work that is a small part of a stage.
   RunContext without_progress() const;
   /// Asks all work under this context to stop. Async-signal-safe.
@@ -55,7 +54,6 @@ class RunContext {
   bool reports_ = true;
   std::shared_ptr<State> state_;
   std::shared_ptr<StageStore> store_;
-  std::string store_scope_;
 };
 
 }  // namespace foramen

@@ -16,6 +16,11 @@ enum class LeaveOut {
   shape,   ///< one shape at a time
   subject  ///< all shapes of one subject at a time: shapes of one subject are not independent
 };
+template <>
+struct EnumWords<LeaveOut> {
+  static constexpr std::pair<std::string_view, LeaveOut> all[] = {{"shape", LeaveOut::shape},
+                                                                  {"subject", LeaveOut::subject}};
+};
 
 struct GeneralizationOptions {
   LeaveOut leave_out = LeaveOut::shape;
@@ -23,9 +28,21 @@ struct GeneralizationOptions {
   /// Those of the whole cohort, the same with whichever shape left out: they are part of how errors are
   /// measured.
   LandmarkWeights weights = LandmarkWeights::equal;
-  int samples = 20000;     ///< of each surface for its distances, > 0
-  std::uint64_t seed = 1;  ///< of those samples
+  int samples = 20000;
+  std::uint64_t seed = 1;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<GeneralizationOptions> auto& o) {
+  visit(o.leave_out,
+        {.name = "leave_out", .meaning = "whether a shape or all shapes of a subject are left out"});
+  visit(o.scale, {.name = "scale", .meaning = "keep or remove the shapes' size"});
+  visit(o.weights,
+        {.name = "landmark_weights", .meaning = "what landmarks count for: all alike, or by their area"});
+  visit(o.samples, {.name = "surface_samples",
+                    .range = at_least(1),
+                    .meaning = "samples of each surface for its distances"});
+  visit(o.seed, {.name = "seed", .meaning = "seed of those samples"});
+}
 
 struct Generalization {
   LeaveOut leave_out = LeaveOut::shape;

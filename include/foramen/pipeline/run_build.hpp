@@ -20,10 +20,12 @@ struct BuildRequest {
   std::optional<RepairOptions> repair = std::nullopt;  ///< set: what the audit refuses is repaired
   BuildOptions build = {};
   EvaluationOptions evaluation = {};
-  bool refit = false;             ///< also refit_generalization(): as many builds as there are shapes
-  std::string subject_pattern;    ///< regular expression on stems; empty: subjects unknown
-  std::filesystem::path truth;    ///< folder of true correspondence; empty: unknown
-  bool resume = false;            ///< take up what an interrupted build left in the folder, see ResumeStore
+  bool refit = false;           ///< also refit_generalization(): as many builds as there are shapes
+  std::string subject_pattern;  ///< regular expression on stems; empty: subjects unknown
+  std::filesystem::path truth;  ///< folder of true correspondence; empty: unknown
+  bool resume = false;          ///< take up what an interrupted build left in the model's folder
+  /// Folder that keeps finished stages after success too, for later and other builds; empty: none.
+  std::filesystem::path store;
   std::string canonical_command;  ///< recorded in the files
 };
 

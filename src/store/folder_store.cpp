@@ -1,4 +1,4 @@
-#include "foramen/pipeline/resume_store.hpp"
+#include "foramen/store/folder_store.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -7,7 +7,6 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/sha256.hpp"
-#include "foramen/pipeline/version.hpp"
 
 namespace foramen {
 namespace {
@@ -21,15 +20,18 @@ std::string header(const std::string& key, std::string_view bytes) {
 
 }  // namespace
 
-ResumeStore::ResumeStore(const fs::path& model_folder, Start start) : folder_(model_folder / ".resume") {
-  std::error_code failed;
-  if (start == Start::anew) fs::remove_all(folder_, failed);
-  remove_leftovers(folder_);
+FolderStore::FolderStore(fs::path folder, std::string program, Use use)
+    : folder_(std::move(folder)), program_(std::move(program)), use_(use) {
+  if (use_ == Use::alone) remove_leftovers(folder_);
 }
 
-fs::path ResumeStore::file_of(const std::string& key) const { return folder_ / sha256(key); }
+std::string FolderStore::digest(std::string_view bytes) const { return sha256(bytes); }
 
-std::optional<std::string> ResumeStore::load(const std::string& key) {
+fs::path FolderStore::file_of(const std::string& key) const {
+  return folder_ / sha256(program_ + "\n" + key);
+}
+
+std::optional<std::string> FolderStore::load(const std::string& key) {
   const fs::path file = file_of(key);
   std::ifstream in(file, std::ios::binary);
   if (!in) return std::nullopt;
@@ -46,42 +48,35 @@ std::optional<std::string> ResumeStore::load(const std::string& key) {
   return std::nullopt;
 }
 
-void ResumeStore::keep(const std::string& key, std::string_view bytes) {
+void FolderStore::keep(const std::string& key, std::string_view bytes) {
   if (!keeping_) return;
   std::error_code failed;
-  fs::create_directory(folder_, failed);
+  fs::create_directories(folder_, failed);
   try {
     write_file(file_of(key), header(key, bytes).append(bytes));
   } catch (const IoError& e) {
     if (!keeping_.exchange(false)) return;
     note(std::string("finished stages are not kept, so that this build could not be resumed: ") + e.what());
     // On a full disk the model needs the room.
-    fs::remove_all(folder_, failed);
+    if (use_ == Use::alone) fs::remove_all(folder_, failed);
   }
 }
 
-std::vector<std::string> ResumeStore::notes() const {
+std::vector<std::string> FolderStore::notes() const {
   const std::lock_guard lock(mutex_);
   return notes_;
 }
 
-void ResumeStore::note(std::string text) {
+void FolderStore::note(std::string text) {
   const std::lock_guard lock(mutex_);
   notes_.push_back(std::move(text));
 }
 
-void ResumeStore::remove() {
+void FolderStore::remove() {
   keeping_ = false;
   std::error_code failed;
   fs::remove_all(folder_, failed);
   if (failed) note(folder_.string() + ": cannot be removed (" + failed.message() + ")");
-}
-
-std::string stage_scope(std::span<const Shape> shapes, const BuildOptions& options) {
-  Sha256 content;
-  content.update(program_identity()).update(option_bytes(options));
-  for (const Shape& shape : shapes) content.update(to_bytes(shape.name)).update(to_bytes(shape.mesh));
-  return content.hex();
 }
 
 }  // namespace foramen

@@ -1,18 +1,20 @@
-#include "foramen/pipeline/resume_store.hpp"
+#include "foramen/store/folder_store.hpp"
 
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "support/temporary_folder.hpp"
-#include "support/torus_family.hpp"
 
 namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-using Start = ResumeStore::Start;
+using Use = FolderStore::Use;
+const std::string program = "this program";
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
@@ -25,20 +27,19 @@ fs::path only_entry(const TemporaryFolder& model) {
 
 const std::string bytes("any\0bytes\n", 10);
 
-TEST(ResumeStore, GivesBackWhatWasKeptWhenResumed) {
+TEST(FolderStore, GivesBackWhatWasKeptWhenResumed) {
   const TemporaryFolder model;
-  ResumeStore(model.path(), Start::anew).keep("a key", bytes);
-  ResumeStore resumed(model.path(), Start::resume);
+  FolderStore(model.file(".resume"), program, Use::alone).keep("a key", bytes);
+  FolderStore resumed(model.file(".resume"), program, Use::alone);
   EXPECT_EQ(resumed.load("a key"), bytes);
   EXPECT_EQ(resumed.load("another"), std::nullopt);
   EXPECT_EQ(resumed.taken_up(), 1);
   EXPECT_THAT(resumed.notes(), ElementsAre());
-  EXPECT_EQ(ResumeStore(model.path(), Start::anew).load("a key"), std::nullopt);
 }
 
-TEST(ResumeStore, IsGoneOnceRemoved) {
+TEST(FolderStore, IsGoneOnceRemoved) {
   const TemporaryFolder model;
-  ResumeStore store(model.path(), Start::anew);
+  FolderStore store(model.file(".resume"), program, Use::alone);
   store.keep("a key", bytes);
   store.remove();
   EXPECT_EQ(model.size(), 0);
@@ -47,9 +48,9 @@ TEST(ResumeStore, IsGoneOnceRemoved) {
   EXPECT_THAT(store.notes(), ElementsAre());
 }
 
-TEST(ResumeStore, NeverBelievesADamagedEntry) {
+TEST(FolderStore, NeverBelievesADamagedEntry) {
   const TemporaryFolder model;
-  ResumeStore(model.path(), Start::anew).keep("a key", bytes);
+  FolderStore(model.file(".resume"), program, Use::alone).keep("a key", bytes);
   const fs::path entry = only_entry(model);
   const std::string good = testing::bytes_of(entry);
   std::vector<std::string> damaged;
@@ -59,7 +60,7 @@ TEST(ResumeStore, NeverBelievesADamagedEntry) {
     damaged.back()[bit / 8] = static_cast<char>(damaged.back()[bit / 8] ^ (1 << bit % 8));
   }
   damaged.push_back(good + "x");
-  ResumeStore resumed(model.path(), Start::resume);
+  FolderStore resumed(model.file(".resume"), program, Use::alone);
   for (const std::string& wrong : damaged) {
     std::ofstream(entry, std::ios::binary | std::ios::trunc) << wrong;
     EXPECT_EQ(resumed.load("a key"), std::nullopt);
@@ -71,9 +72,9 @@ TEST(ResumeStore, NeverBelievesADamagedEntry) {
   EXPECT_EQ(resumed.load("a key"), bytes);
 }
 
-TEST(ResumeStore, AnotherStagesEntryUnderItsNameIsNotTakenForIt) {
+TEST(FolderStore, AnotherStagesEntryUnderItsNameIsNotTakenForIt) {
   const TemporaryFolder model;
-  ResumeStore store(model.path(), Start::anew);
+  FolderStore store(model.file(".resume"), program, Use::alone);
   store.keep("one", bytes);
   const fs::path one = only_entry(model);
   store.keep("two", "other bytes");
@@ -83,47 +84,46 @@ TEST(ResumeStore, AnotherStagesEntryUnderItsNameIsNotTakenForIt) {
   EXPECT_EQ(store.load("two"), "other bytes");
 }
 
-TEST(ResumeStore, WhatAKilledProcessLeftHalfWrittenIsRemoved) {
+TEST(FolderStore, WhatAKilledProcessLeftHalfWrittenIsRemoved) {
   const TemporaryFolder model;
-  ResumeStore(model.path(), Start::anew).keep("a key", bytes);
+  FolderStore(model.file(".resume"), program, Use::alone).keep("a key", bytes);
   std::ofstream(model.file(".resume") / ".ab12.999-0.foramen-tmp") << "half";
-  ResumeStore resumed(model.path(), Start::resume);
+  FolderStore resumed(model.file(".resume"), program, Use::alone);
   EXPECT_EQ(resumed.load("a key"), bytes);
   only_entry(model);
 }
 
-TEST(ResumeStore, GoesOnWithoutKeepingWhereNothingCanBeWritten) {
+TEST(FolderStore, GoesOnWithoutKeepingWhereNothingCanBeWritten) {
   const TemporaryFolder model;
   model.file(".resume", "a file in its place");
-  ResumeStore store(model.path(), Start::resume);
+  FolderStore store(model.file(".resume"), program, Use::alone);
   store.keep("one", bytes);
   store.keep("two", bytes);
   EXPECT_EQ(store.load("one"), std::nullopt);
   EXPECT_THAT(store.notes(), ElementsAre(HasSubstr("not kept")));
 }
 
-TEST(StageScope, NamesEverySurfaceAndOption) {
-  const std::vector<Shape> shapes = testing::family();
-  const std::string scope = stage_scope(shapes, testing::small());
-  EXPECT_EQ(stage_scope(shapes, testing::small()), scope);
-  std::vector<std::string> others;
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    std::vector<Shape> other = shapes;
-    TriangleSoup soup = other[i].mesh.soup();
-    soup.points[7].y() = std::nextafter(soup.points[7].y(), 1e9);
-    other[i].mesh = build_mesh(soup);
-    others.push_back(stage_scope(other, testing::small()));
-  }
-  std::vector<Shape> swapped = shapes;
-  std::swap(swapped[1], swapped[2]);
-  others.push_back(stage_scope(swapped, testing::small()));
-  BuildOptions options = testing::small();
-  options.correspondence.group.lambda = 0.6;
-  others.push_back(stage_scope(shapes, options));
-  options = testing::small();
-  options.correspondence.method = Method::icp;
-  others.push_back(stage_scope(shapes, options));
-  for (const std::string& other : others) EXPECT_NE(other, scope);
+TEST(FolderStore, AnotherProgramsEntryIsNotTakenUp) {
+  const TemporaryFolder folder;
+  FolderStore(folder.path(), "one", Use::alone).keep("a key", bytes);
+  EXPECT_EQ(FolderStore(folder.path(), "another", Use::alone).load("a key"), std::nullopt);
+}
+
+TEST(FolderStore, ASharedFolderKeepsWhatOthersAreWriting) {
+  const TemporaryFolder folder;
+  const fs::path half = folder.file(".ab12.999-0.foramen-tmp");
+  std::ofstream(half) << "half";
+  FolderStore store(folder.path(), program, Use::shared);
+  EXPECT_TRUE(fs::exists(half));
+  std::vector<std::thread> writers;
+  for (int i = 0; i < 4; ++i)
+    writers.emplace_back([&] {
+      FolderStore other(folder.path(), program, Use::shared);
+      for (int k = 0; k < 20; ++k) other.keep("key " + std::to_string(k), bytes);
+    });
+  for (std::thread& writer : writers) writer.join();
+  for (int k = 0; k < 20; ++k) EXPECT_EQ(store.load("key " + std::to_string(k)), bytes);
+  EXPECT_THAT(store.notes(), ElementsAre());
 }
 
 }  // namespace
