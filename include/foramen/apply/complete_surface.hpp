@@ -6,7 +6,7 @@
 
 #include "foramen/apply/shape_distribution.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/correspond/align_part.hpp"
+#include "foramen/match/align_part.hpp"
 #include "foramen/model/procrustes.hpp"
 
 namespace foramen {

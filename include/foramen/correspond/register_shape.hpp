@@ -2,10 +2,10 @@
 /// \file
 /// The torus map of the reference, and of every other shape in correspondence with it.
 
-#include "foramen/correspond/align.hpp"
 #include "foramen/correspond/first_map.hpp"
 #include "foramen/correspond/shape_map.hpp"
 #include "foramen/correspond/soft_neighbours.hpp"
+#include "foramen/match/align.hpp"
 
 namespace foramen {
 

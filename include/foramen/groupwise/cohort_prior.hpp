@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include "foramen/core/mesh.hpp"
-#include "foramen/correspond/displacement_prior.hpp"
+#include "foramen/match/displacement_prior.hpp"
 
 namespace foramen {
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "foramen/correspond/deform_template.hpp"
 #include "foramen/correspond/register_shape.hpp"
-#include "foramen/correspond/smooth_displacements.hpp"
 #include "foramen/correspond/surface_targets.hpp"
 #include "foramen/groupwise/cohort_prior.hpp"
 #include "foramen/groupwise/description_length.hpp"
 #include "foramen/groupwise/mean_template.hpp"
+#include "foramen/match/deform_template.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,4 @@
-#include "foramen/correspond/align_part.hpp"
+#include "foramen/match/align_part.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "correspond/rigid_step.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/spatial/point_index.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "match/rigid_step.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,4 @@
-#include "foramen/correspond/deform_template.hpp"
+#include "foramen/match/deform_template.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/torus_cohort.hpp"

@@ -1,15 +1,15 @@
-#include "foramen/correspond/align.hpp"
+#include "foramen/match/align.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "correspond/principal_frame.hpp"
-#include "correspond/rigid_step.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/point_index.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "match/principal_frame.hpp"
+#include "match/rigid_step.hpp"
 
 namespace foramen {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "foramen/correspond/align.hpp"
+#include "foramen/match/align.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,4 @@
-#include "foramen/correspond/deform_template.hpp"
+#include "foramen/match/deform_template.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "correspond/rigid_step.hpp"
+#include "match/rigid_step.hpp"
 
 #include <algorithm>
 #include <cmath>
