@@ -9,8 +9,8 @@
 #include "foramen/apply/posterior.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
-#include "foramen/spatial/surface_distance.hpp"
+#include "foramen/match/oriented_points.hpp"
+#include "foramen/spatial/triangle_tree.hpp"
 
 namespace foramen {
 namespace {
@@ -24,43 +24,12 @@ constexpr double shift_mm = 10, turn_rad = 0.3, log_size = 0.1;
 constexpr double coarse_noise_mm[] = {4, 2, 1};
 constexpr int coarse_iterations = 6, fine_iterations = 8, smooth_iterations = 6;
 
-struct OrientedPoint {
-  Vec3 position, normal;
-  bool at_border = false;
-};
-
-/// Points of the part, in its own coordinates.
-std::vector<OrientedPoint> sampled(const Mesh& mesh, int count, std::uint64_t seed) {
-  const VertexMap<Vec3> normals = vertex_normals(mesh);
-  std::vector<OrientedPoint> samples;
-  for (const SurfacePoint& p : sample_surface(mesh, count, Rng(seed))) {
-    OrientedPoint sample{position(mesh, p), Vec3::Zero(), false};
-    const auto corners = mesh.corners(p.face);
-    for (std::size_t k = 0; k < 3; ++k) {
-      sample.normal += p.barycentric[static_cast<Eigen::Index>(k)] * normals[corners[k]];
-      sample.at_border = sample.at_border || mesh.is_boundary(corners[k]);
-    }
-    sample.normal.normalize();
-    samples.push_back(sample);
-  }
-  return samples;
-}
-
 SimilarityTransform composed(const SimilarityTransform& second, const SimilarityTransform& first) {
   return {second.scale * first.scale, second.rotation * first.rotation, second(first.translation)};
 }
 
 OrientedPoint moved(const OrientedPoint& p, const SimilarityTransform& by) {
   return {by(p.position), by.rotation * p.normal, p.at_border};
-}
-
-OrientedPointIndex index_of(const std::vector<OrientedPoint>& points, double normal_weight) {
-  std::vector<Vec3> positions, normals;
-  for (const OrientedPoint& p : points) {
-    positions.push_back(p.position);
-    normals.push_back(p.normal);
-  }
-  return {positions, normals, normal_weight};
 }
 
 /// Where the fit is: the pose, and the shape in model coordinates.
@@ -81,9 +50,8 @@ class PartFit {
   PartFit(const Mesh& part, const ShapeModel& model, const CompleteSurfaceOptions& options)
       : options_(options),
         mean_mesh_(build_mesh({unflattened(model.mean()), model.triangles()})),
-        samples_(sampled(part, options.samples, sample_seed)),
-        targets_(sampled(part, targets_on_part, target_seed)),
-        targets_index_(index_of(targets_, options.normal_weight)),
+        samples_(oriented_samples(part, options.samples, sample_seed)),
+        targets_(oriented_samples(part, targets_on_part, target_seed), options.normal_weight),
         area_per_sample_(total_area(part) / options.samples) {}
 
   /// From one pose, the modes alone.
@@ -170,8 +138,7 @@ class PartFit {
 
   Matches matches(const State& state, double noise) const {
     const Mesh shape = mean_mesh_.with_positions(unflattened(state.shape));
-    const VertexMap<Vec3> normals = vertex_normals(shape);
-    const OrientedPointIndex landmarks(shape.positions(), normals.values(), options_.normal_weight);
+    const IndexedPoints landmarks(oriented_vertices(shape), options_.normal_weight);
     std::vector<OrientedPoint> samples;
     for (const OrientedPoint& p : samples_) samples.push_back(moved(p, state.to_model));
     Matches result;
@@ -180,8 +147,8 @@ class PartFit {
     std::vector<NearPoint> near;
     std::vector<double> distances;
     for (const OrientedPoint& p : samples) {
-      near.push_back(landmarks.nearest(p.position, p.normal));
-      distances.push_back(std::sqrt(near.back().squared_distance));
+      near.push_back(landmarks.nearest(p));
+      distances.push_back(near.back().distance());
     }
     std::vector<double> sorted = distances;
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -191,7 +158,7 @@ class PartFit {
       if (distance >= cut) return false;
       result.observations.push_back(
           {landmark, on_part.position,
-           precision(normals[VertexId(landmark)], on_part.normal, distance / cut, area, noise)});
+           precision(landmarks[landmark].normal, on_part.normal, distance / cut, area, noise)});
       result.seen[static_cast<std::size_t>(landmark)] = true;
       return true;
     };
@@ -203,11 +170,10 @@ class PartFit {
     const SimilarityTransform back = state.to_model.inverse();
     const VertexMap<double> areas = vertex_areas(shape);
     for (VertexId v : shape.vertices()) {
-      const NearPoint partner = targets_index_.nearest(back(shape.position(v)), back.rotation * normals[v]);
-      const OrientedPoint& target = targets_[static_cast<std::size_t>(partner.index)];
+      const NearPoint partner = targets_.nearest(moved(landmarks[v.index], back));
+      const OrientedPoint& target = targets_[partner.index];
       if (!target.at_border)
-        take(v.index, moved(target, state.to_model),
-             state.to_model.scale * std::sqrt(partner.squared_distance), areas[v]);
+        take(v.index, moved(target, state.to_model), state.to_model.scale * partner.distance(), areas[v]);
     }
     return result;
   }
@@ -217,16 +183,15 @@ class PartFit {
     const double tukey = (1 - ratio * ratio) * (1 - ratio * ratio);
     // Half: both surfaces bring their matches.
     const double weight = tukey * area / options_.independent_area_mm2 / (2 * noise * noise);
-    const Vec3 sum = landmark_normal + part_normal;
-    const Vec3 normal = sum.isZero(1e-9) ? part_normal : Vec3(sum.normalized());
+    const Vec3 normal = mean_normal(landmark_normal, part_normal);
     return weight * ((1 - options_.tangential_share) * normal * normal.transpose() +
                      options_.tangential_share * Mat3::Identity());
   }
 
   const CompleteSurfaceOptions& options_;
   Mesh mean_mesh_;
-  std::vector<OrientedPoint> samples_, targets_;
-  OrientedPointIndex targets_index_;
+  std::vector<OrientedPoint> samples_;
+  IndexedPoints targets_;
   double area_per_sample_;
 };
 

@@ -6,8 +6,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/groupwise/description_objective.hpp"
+#include "foramen/match/oriented_points.hpp"
 #include "foramen/parameterize/refine_map.hpp"
-#include "foramen/spatial/point_index.hpp"
 
 namespace foramen {
 namespace {
@@ -15,16 +15,12 @@ namespace {
 // Where the shape would lie if the bending were undone: every vertex moved back by the displacement of the
 // bent template's nearest vertex.
 Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vector<Vec3>& bent) {
-  const auto normals = vertex_normals(shape);
-  const auto bent_normals = vertex_normals(surface.mesh.with_positions(bent));
-  const OrientedPointIndex index(bent, bent_normals.values(), vertebra_normal_weight_mm);
+  const VertexMap<VertexId> near = nearest_vertices(shape, surface.mesh.with_positions(bent));
   std::vector<Vec3> positions;
   positions.reserve(bent.size());
-  for (VertexId v : shape.vertices()) {
-    const int near = index.nearest(shape.position(v), normals[v]).index;
-    positions.push_back(shape.position(v) + surface.mesh.position(VertexId(near)) -
-                        bent[static_cast<std::size_t>(near)]);
-  }
+  for (VertexId v : shape.vertices())
+    positions.push_back(shape.position(v) + surface.mesh.position(near[v]) -
+                        bent[static_cast<std::size_t>(near[v].index)]);
   return shape.with_positions(std::move(positions));
 }
 

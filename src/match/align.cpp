@@ -6,8 +6,7 @@
 #include <string>
 
 #include "foramen/core/error.hpp"
-#include "foramen/spatial/point_index.hpp"
-#include "foramen/spatial/surface_distance.hpp"
+#include "foramen/match/oriented_points.hpp"
 #include "match/principal_frame.hpp"
 #include "match/rigid_step.hpp"
 
@@ -26,66 +25,34 @@ constexpr int full_steps = 30;      // matches can go round in a cycle: later st
 constexpr double same_angle = 0.2;  // rad: closer rotations are the same answer
 constexpr std::uint64_t sample_seed = 1, target_seed = 2;
 
-/// Points of a surface with unit normals there.
-struct OrientedPoints {
-  std::vector<Vec3> points, normals;
-};
-
-// Surface points in face order: they move with the mesh, so that its pose does not matter.
-OrientedPoints sampled(const Mesh& mesh, const VertexMap<Vec3>& normals, int count, std::uint64_t seed) {
-  OrientedPoints samples;
-  for (const SurfacePoint& p : sample_surface(mesh, count, Rng(seed))) {
-    const auto corners = mesh.corners(p.face);
-    Vec3 normal = Vec3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-      normal += p.barycentric[static_cast<Eigen::Index>(k)] * normals[corners[k]];
-    samples.points.push_back(position(mesh, p));
-    samples.normals.push_back(normal.normalized());
-  }
-  return samples;
-}
-
 // The vertices, or samples where these would lie so far apart that their spacing counted as a difference of
 // the shapes.
-OrientedPoints dense_points(const Mesh& mesh, const VertexMap<Vec3>& normals) {
-  if (mesh.vertex_count() < least_targets) return sampled(mesh, normals, least_targets, target_seed);
-  return {{mesh.positions().begin(), mesh.positions().end()}, normals.values()};
+std::vector<OrientedPoint> dense_points(const Mesh& mesh, const VertexMap<Vec3>& normals) {
+  if (mesh.vertex_count() < least_targets) return oriented_samples(mesh, normals, least_targets, target_seed);
+  return oriented_vertices(mesh, normals);
 }
 
 /// What one shape brings to the matching: samples that look for a partner, and targets among which the
 /// other's find theirs.
 struct Side {
-  OrientedPoints samples, targets;
-  OrientedPointIndex index;
+  std::vector<OrientedPoint> samples;
+  IndexedPoints targets;
 };
-
-Side make_side(OrientedPoints samples, OrientedPoints targets, double normal_weight) {
-  OrientedPointIndex index(targets.points, targets.normals, normal_weight);
-  return {std::move(samples), std::move(targets), std::move(index)};
-}
-
-Vec3 mean_normal(const Vec3& a, const Vec3& b) {
-  const Vec3 sum = a + b;
-  return sum.isZero(1e-9) ? b : Vec3(sum.normalized());
-}
 
 std::vector<Match> matches(const Side& moving, const Side& fixed, const RigidTransform& at) {
   const RigidTransform back = at.inverse();
   std::vector<Match> all;
-  all.reserve(moving.samples.points.size() + fixed.samples.points.size());
-  for (std::size_t i = 0; i < moving.samples.points.size(); ++i) {
-    const Vec3 p = at * moving.samples.points[i], n = at.linear() * moving.samples.normals[i];
-    const NearPoint near = fixed.index.nearest(p, n);
-    const auto j = static_cast<std::size_t>(near.index);
-    all.push_back({p, fixed.targets.points[j], mean_normal(n, fixed.targets.normals[j]),
-                   std::sqrt(near.squared_distance)});
+  all.reserve(moving.samples.size() + fixed.samples.size());
+  for (const OrientedPoint& sample : moving.samples) {
+    const OrientedPoint here = moved(sample, at);
+    const NearPoint near = fixed.targets.nearest(here);
+    const OrientedPoint& there = fixed.targets[near.index];
+    all.push_back({here.position, there.position, mean_normal(here.normal, there.normal), near.distance()});
   }
-  for (std::size_t i = 0; i < fixed.samples.points.size(); ++i) {
-    const Vec3 &p = fixed.samples.points[i], &n = fixed.samples.normals[i];
-    const NearPoint near = moving.index.nearest(back * p, back.linear() * n);
-    const auto j = static_cast<std::size_t>(near.index);
-    all.push_back({at * moving.targets.points[j], p, mean_normal(at.linear() * moving.targets.normals[j], n),
-                   std::sqrt(near.squared_distance)});
+  for (const OrientedPoint& there : fixed.samples) {
+    const NearPoint near = moving.targets.nearest(moved(there, back));
+    const OrientedPoint here = moved(moving.targets[near.index], at);
+    all.push_back({here.position, there.position, mean_normal(here.normal, there.normal), near.distance()});
   }
   return all;
 }
@@ -180,12 +147,12 @@ Alignment align(const Mesh& moving, const Mesh& fixed, const RunContext& ctx, co
   check(options);
   const VertexMap<Vec3> moving_normals = vertex_normals(moving), fixed_normals = vertex_normals(fixed);
   const auto coarse_side = [&](const Mesh& mesh, const VertexMap<Vec3>& normals) {
-    return make_side(sampled(mesh, normals, coarse_samples, sample_seed),
-                     sampled(mesh, normals, coarse_targets, target_seed), options.normal_weight);
+    return Side{oriented_samples(mesh, normals, coarse_samples, sample_seed),
+                {oriented_samples(mesh, normals, coarse_targets, target_seed), options.normal_weight}};
   };
   const auto fine_side = [&](const Mesh& mesh, const VertexMap<Vec3>& normals) {
-    return make_side(sampled(mesh, normals, options.sample_points / 2, sample_seed),
-                     dense_points(mesh, normals), options.normal_weight);
+    return Side{oriented_samples(mesh, normals, options.sample_points / 2, sample_seed),
+                {dense_points(mesh, normals), options.normal_weight}};
   };
   const std::vector<Candidate> candidates = coarse_search(
       coarse_side(moving, moving_normals), coarse_side(fixed, fixed_normals), moving, fixed, options, ctx);

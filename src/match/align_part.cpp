@@ -9,8 +9,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
-#include "foramen/spatial/point_index.hpp"
-#include "foramen/spatial/surface_distance.hpp"
+#include "foramen/match/oriented_points.hpp"
 #include "match/rigid_step.hpp"
 
 namespace foramen {
@@ -32,24 +31,6 @@ struct Round {
 constexpr Round rounds[] = {
     {std::numeric_limits<int>::max(), 4, 80}, {150, 6, 150}, {40, 12, 300}, {12, 20, 600}};
 
-struct OrientedPoints {
-  std::vector<Vec3> points, normals;
-};
-
-OrientedPoints sampled(const Mesh& mesh, int count, std::uint64_t seed) {
-  const VertexMap<Vec3> normals = vertex_normals(mesh);
-  OrientedPoints samples;
-  for (const SurfacePoint& p : sample_surface(mesh, count, Rng(seed))) {
-    const auto corners = mesh.corners(p.face);
-    Vec3 normal = Vec3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-      normal += p.barycentric[static_cast<Eigen::Index>(k)] * normals[corners[k]];
-    samples.points.push_back(position(mesh, p));
-    samples.normals.push_back(normal.normalized());
-  }
-  return samples;
-}
-
 // Rotations spread evenly over all there are \cite alexa2022.
 std::vector<Mat3> spread_rotations(int count) {
   constexpr double phi = std::numbers::sqrt2, psi = 1.533751168755204288118041;
@@ -67,15 +48,15 @@ std::vector<Mat3> spread_rotations(int count) {
 }
 
 // The centroid, and points halfway from it to the places of the surface farthest from it and from each other.
-std::vector<Vec3> spread_anchors(const std::vector<Vec3>& points, const Vec3& centroid, int count) {
+std::vector<Vec3> spread_anchors(const std::vector<OrientedPoint>& points, const Vec3& centroid, int count) {
   std::vector<Vec3> anchors{centroid};
   std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
   Vec3 last = centroid;
   while (static_cast<int>(anchors.size()) < count) {
     for (std::size_t i = 0; i < points.size(); ++i)
-      distance[i] = std::min(distance[i], (points[i] - last).squaredNorm());
-    last = points[static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) -
-                                           distance.begin())];
+      distance[i] = std::min(distance[i], (points[i].position - last).squaredNorm());
+    const auto farthest = std::max_element(distance.begin(), distance.end()) - distance.begin();
+    last = points[static_cast<std::size_t>(farthest)].position;
     anchors.push_back(centroid + anchor_depth * (last - centroid));
   }
   return anchors;
@@ -93,9 +74,9 @@ class PartSearch {
   PartSearch(const Mesh& part, const Mesh& whole, const AlignPartOptions& options, const RunContext& ctx)
       : options_(options),
         ctx_(ctx),
-        targets_(sampled(whole, targets_on_whole, whole_seed)),
-        index_(targets_.points, targets_.normals, options.normal_weight),
+        targets_(oriented_samples(whole, targets_on_whole, whole_seed), options.normal_weight),
         part_(part),
+        part_normals_(vertex_normals(part)),
         whole_(whole) {}
 
   std::vector<Candidate> run() const {
@@ -103,18 +84,22 @@ class PartSearch {
     for (const Round& round : rounds) {
       if (static_cast<int>(candidates.size()) > round.candidates)
         candidates.resize(static_cast<std::size_t>(round.candidates));
-      follow(candidates, sampled(part_, round.samples, part_seed), round.iterations);
+      follow(candidates, samples_of_part(round.samples), round.iterations);
     }
     candidates = distinct(std::move(candidates));
-    follow(candidates, sampled(part_, options_.sample_points, part_seed), options_.iteration_limit);
+    follow(candidates, samples_of_part(options_.sample_points), options_.iteration_limit);
     return distinct(std::move(candidates));
   }
 
  private:
+  std::vector<OrientedPoint> samples_of_part(int count) const {
+    return oriented_samples(part_, part_normals_, count, part_seed);
+  }
+
   std::vector<Candidate> starts() const {
     const Vec3 from = surface_centroid(part_);
     const std::vector<Vec3> anchors =
-        spread_anchors(targets_.points, surface_centroid(whole_), options_.anchors);
+        spread_anchors(targets_.points(), surface_centroid(whole_), options_.anchors);
     std::vector<Candidate> all;
     for (const Mat3& rotation : spread_rotations(options_.rotations))
       for (const Vec3& anchor : anchors) {
@@ -126,29 +111,28 @@ class PartSearch {
     return all;
   }
 
-  std::vector<Match> matches(const OrientedPoints& samples, const RigidTransform& at) const {
+  std::vector<Match> matches(const std::vector<OrientedPoint>& samples, const RigidTransform& at) const {
     std::vector<Match> all;
-    all.reserve(samples.points.size());
-    for (std::size_t i = 0; i < samples.points.size(); ++i) {
-      const Vec3 p = at * samples.points[i], n = at.linear() * samples.normals[i];
-      const NearPoint near = index_.nearest(p, n);
-      const auto j = static_cast<std::size_t>(near.index);
-      const Vec3 sum = n + targets_.normals[j];
-      all.push_back({p, targets_.points[j], sum.isZero(1e-9) ? targets_.normals[j] : Vec3(sum.normalized()),
-                     std::sqrt(near.squared_distance)});
+    all.reserve(samples.size());
+    for (const OrientedPoint& sample : samples) {
+      const OrientedPoint here = moved(sample, at);
+      const NearPoint near = targets_.nearest(here);
+      const OrientedPoint& there = targets_[near.index];
+      all.push_back({here.position, there.position, mean_normal(here.normal, there.normal), near.distance()});
     }
     return all;
   }
 
   // Moves every candidate on and sorts them, best first.
-  void follow(std::vector<Candidate>& candidates, const OrientedPoints& samples, int iterations) const {
+  void follow(std::vector<Candidate>& candidates, const std::vector<OrientedPoint>& samples,
+              int iterations) const {
     parallel_for(static_cast<int>(candidates.size()), ctx_,
                  [&](int i) { descend(candidates[static_cast<std::size_t>(i)], samples, iterations); });
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.residual < b.residual; });
   }
 
-  void descend(Candidate& state, const OrientedPoints& samples, int limit) const {
+  void descend(Candidate& state, const std::vector<OrientedPoint>& samples, int limit) const {
     state.converged = false;
     for (int k = 0; k < limit && !state.converged; ++k) {
       const std::vector<Match> all = matches(samples, state.at);
@@ -161,7 +145,7 @@ class PartSearch {
     }
     state.residual = 0;
     for (const Match& m : matches(samples, state.at))
-      state.residual += std::min(m.distance, residual_cap) / static_cast<double>(samples.points.size());
+      state.residual += std::min(m.distance, residual_cap) / static_cast<double>(samples.size());
   }
 
   // The best of those that have about the same rotation; \pre sorted.
@@ -178,9 +162,10 @@ class PartSearch {
 
   const AlignPartOptions& options_;
   RunContext ctx_;
-  OrientedPoints targets_;
-  OrientedPointIndex index_;
-  const Mesh &part_, &whole_;
+  IndexedPoints targets_;
+  const Mesh& part_;
+  VertexMap<Vec3> part_normals_;
+  const Mesh& whole_;
 };
 
 void check(const AlignPartOptions& options) {

@@ -9,7 +9,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
+#include "foramen/match/oriented_points.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
 namespace foramen {
@@ -36,10 +36,6 @@ void check(const Mesh& surface, const Eigen::MatrixXd& functions, const DeformTe
     refuse("independent_area_mm2, rejection and least_median_mm must be > 0");
 }
 
-struct OrientedPoint {
-  Vec3 position, normal;
-};
-
 struct Match {
   int vertex;  // of the template
   OrientedPoint on_shape;
@@ -59,45 +55,6 @@ std::vector<int> sampled_vertices(const Mesh& surface, int count) {
   return vertices;
 }
 
-/// The shape as matches see it.
-class MatchedShape {
- public:
-  MatchedShape(const Mesh& shape, const DeformTemplateOptions& options)
-      : shape_(shape),
-        normals_(vertex_normals(shape)),
-        index_(shape.positions(), normals_.values(), options.normal_weight),
-        area_per_sample_(total_area(shape) / options.samples) {
-    for (const SurfacePoint& p : sample_surface(shape, options.samples, Rng(shape_seed))) {
-      const auto corners = shape.corners(p.face);
-      Vec3 normal = Vec3::Zero();
-      for (std::size_t k = 0; k < 3; ++k)
-        normal += p.barycentric[static_cast<Eigen::Index>(k)] * normals_[corners[k]];
-      samples_.push_back({position(shape, p), normal.normalized()});
-    }
-  }
-
-  /// The shape's nearest vertex to a point of the template.
-  Match match_of(int vertex, const OrientedPoint& bent, double area) const {
-    const NearPoint near = index_.nearest(bent.position, bent.normal);
-    const VertexId partner(near.index);
-    return {vertex, {shape_.position(partner), normals_[partner]}, std::sqrt(near.squared_distance), area};
-  }
-  /// The template's nearest vertices to the shape's samples.
-  void add_matches_of_samples(const OrientedPointIndex& bent, std::vector<Match>& matches) const {
-    for (const OrientedPoint& sample : samples_) {
-      const NearPoint near = bent.nearest(sample.position, sample.normal);
-      matches.push_back({near.index, sample, std::sqrt(near.squared_distance), area_per_sample_});
-    }
-  }
-
- private:
-  const Mesh& shape_;
-  VertexMap<Vec3> normals_;
-  OrientedPointIndex index_;
-  std::vector<OrientedPoint> samples_;
-  double area_per_sample_;
-};
-
 /// All matches of a template vertex as one: \f$ (u - goal)^T W (u - goal) \f$, W goal kept in their place.
 struct Pull {
   int vertex;
@@ -113,24 +70,30 @@ class Fit {
         functions_(functions),
         options_(options),
         prior_(prior_form(prior, 3 * functions.cols())),
-        shape_(shape, options),
+        shape_vertices_(oriented_vertices(shape), options.normal_weight),
+        shape_samples_(oriented_samples(shape, options.samples, shape_seed)),
         vertices_(sampled_vertices(surface, options.samples)),
+        area_per_sample_(total_area(shape) / options.samples),
         area_per_vertex_(total_area(surface) / options.samples) {}
 
   /// One set of matches, and the displacement that explains them best.
   Mesh improved(const Mesh& bent, double noise) const {
-    const VertexMap<Vec3> normals = vertex_normals(bent);
+    const IndexedPoints on_template(oriented_vertices(bent), options_.normal_weight);
     std::vector<Match> matches;
-    matches.reserve(2 * vertices_.size());
-    for (const int v : vertices_)
-      matches.push_back(
-          shape_.match_of(v, {bent.position(VertexId(v)), normals[VertexId(v)]}, area_per_vertex_));
-    shape_.add_matches_of_samples({bent.positions(), normals.values(), options_.normal_weight}, matches);
-    return displaced(solved(pulls(matches, normals, noise)));
+    matches.reserve(vertices_.size() + shape_samples_.size());
+    for (const int v : vertices_) {
+      const NearPoint near = shape_vertices_.nearest(on_template[v]);
+      matches.push_back({v, shape_vertices_[near.index], near.distance(), area_per_vertex_});
+    }
+    for (const OrientedPoint& sample : shape_samples_) {
+      const NearPoint near = on_template.nearest(sample);
+      matches.push_back({near.index, sample, near.distance(), area_per_sample_});
+    }
+    return displaced(solved(pulls(matches, on_template, noise)));
   }
 
  private:
-  std::vector<Pull> pulls(const std::vector<Match>& matches, const VertexMap<Vec3>& normals,
+  std::vector<Pull> pulls(const std::vector<Match>& matches, const IndexedPoints& on_template,
                           double noise) const {
     std::vector<double> distances;
     distances.reserve(matches.size());
@@ -147,8 +110,7 @@ class Fit {
       const double ratio = m.distance / cut, tukey = (1 - ratio * ratio) * (1 - ratio * ratio);
       // Half: both surfaces bring their matches.
       const double weight = tukey * m.area / options_.independent_area_mm2 / (2 * noise * noise);
-      const Vec3 sum = normals[v] + m.on_shape.normal;
-      const Vec3 normal = sum.isZero(1e-9) ? m.on_shape.normal : Vec3(sum.normalized());
+      const Vec3 normal = mean_normal(on_template[m.vertex].normal, m.on_shape.normal);
       const Mat3 w = weight * ((1 - options_.tangential_share) * normal * normal.transpose() +
                                options_.tangential_share * Mat3::Identity());
       if (slot[v] < 0) {
@@ -199,9 +161,10 @@ class Fit {
   const Eigen::MatrixXd& functions_;
   const DeformTemplateOptions& options_;
   PriorForm prior_;
-  MatchedShape shape_;
-  std::vector<int> vertices_;
-  double area_per_vertex_;
+  IndexedPoints shape_vertices_;
+  std::vector<OrientedPoint> shape_samples_;
+  std::vector<int> vertices_;  // of the template
+  double area_per_sample_, area_per_vertex_;
 };
 
 }  // namespace
