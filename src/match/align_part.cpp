@@ -9,24 +9,20 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
-#include "foramen/match/oriented_points.hpp"
-#include "match/rigid_step.hpp"
+#include "match/rigid_descent.hpp"
 
 namespace foramen {
 namespace {
 
-using detail::Match;
+using detail::Pose;
 
 constexpr int targets_on_whole = 10000;
-constexpr double residual_cap = 12;   // mm: beyond it a match says no more than that there is none
-constexpr double least_scale = 0.1;   // mm: below it differences are noise of the meshes
-constexpr double same_angle = 0.2;    // rad: closer rotations are the same answer
 constexpr double anchor_depth = 0.5;  // anchors lie so far from the whole's centroid towards its surface
 constexpr std::uint64_t part_seed = 1, whole_seed = 2;
 
-// Rounds of the search: so many candidates, followed for so many iterations with so many samples.
+// Rounds of the search: so many poses, followed for so many iterations with so many samples.
 struct Round {
-  int candidates, iterations, samples;
+  int poses, iterations, samples;
 };
 constexpr Round rounds[] = {
     {std::numeric_limits<int>::max(), 4, 80}, {150, 6, 150}, {40, 12, 300}, {12, 20, 600}};
@@ -62,13 +58,6 @@ std::vector<Vec3> spread_anchors(const std::vector<OrientedPoint>& points, const
   return anchors;
 }
 
-struct Candidate {
-  RigidTransform at = RigidTransform::Identity();
-  double residual = std::numeric_limits<double>::infinity();
-  int iterations = 0;
-  bool converged = false;
-};
-
 class PartSearch {
  public:
   PartSearch(const Mesh& part, const Mesh& whole, const AlignPartOptions& options, const RunContext& ctx)
@@ -79,16 +68,15 @@ class PartSearch {
         part_normals_(vertex_normals(part)),
         whole_(whole) {}
 
-  std::vector<Candidate> run() const {
-    std::vector<Candidate> candidates = starts();
+  std::vector<Pose> run() const {
+    std::vector<Pose> poses = starts();
     for (const Round& round : rounds) {
-      if (static_cast<int>(candidates.size()) > round.candidates)
-        candidates.resize(static_cast<std::size_t>(round.candidates));
-      follow(candidates, samples_of_part(round.samples), round.iterations);
+      if (static_cast<int>(poses.size()) > round.poses) poses.resize(static_cast<std::size_t>(round.poses));
+      follow(poses, samples_of_part(round.samples), round.iterations);
     }
-    candidates = distinct(std::move(candidates));
-    follow(candidates, samples_of_part(options_.sample_points), options_.iteration_limit);
-    return distinct(std::move(candidates));
+    poses = detail::distinct_answers(poses, options_.most_answers);
+    follow(poses, samples_of_part(options_.sample_points), options_.iteration_limit);
+    return detail::distinct_answers(poses);
   }
 
  private:
@@ -96,14 +84,14 @@ class PartSearch {
     return oriented_samples(part_, part_normals_, count, part_seed);
   }
 
-  std::vector<Candidate> starts() const {
+  std::vector<Pose> starts() const {
     const Vec3 from = surface_centroid(part_);
     const std::vector<Vec3> anchors =
         spread_anchors(targets_.points(), surface_centroid(whole_), options_.anchors);
-    std::vector<Candidate> all;
+    std::vector<Pose> all;
     for (const Mat3& rotation : spread_rotations(options_.rotations))
       for (const Vec3& anchor : anchors) {
-        Candidate start;
+        Pose start;
         start.at.linear() = rotation;
         start.at.translation() = anchor - rotation * from;
         all.push_back(start);
@@ -111,53 +99,15 @@ class PartSearch {
     return all;
   }
 
-  std::vector<Match> matches(const std::vector<OrientedPoint>& samples, const RigidTransform& at) const {
-    std::vector<Match> all;
-    all.reserve(samples.size());
-    for (const OrientedPoint& sample : samples) {
-      const OrientedPoint here = moved(sample, at);
-      const NearPoint near = targets_.nearest(here);
-      const OrientedPoint& there = targets_[near.index];
-      all.push_back({here.position, there.position, mean_normal(here.normal, there.normal), near.distance()});
-    }
-    return all;
-  }
-
-  // Moves every candidate on and sorts them, best first.
-  void follow(std::vector<Candidate>& candidates, const std::vector<OrientedPoint>& samples,
-              int iterations) const {
-    parallel_for(static_cast<int>(candidates.size()), ctx_,
-                 [&](int i) { descend(candidates[static_cast<std::size_t>(i)], samples, iterations); });
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.residual < b.residual; });
-  }
-
-  void descend(Candidate& state, const std::vector<OrientedPoint>& samples, int limit) const {
-    state.converged = false;
-    for (int k = 0; k < limit && !state.converged; ++k) {
-      const std::vector<Match> all = matches(samples, state.at);
-      const RigidTransform step = detail::rigid_step(all, detail::tukey_weights(all, least_scale));
-      double largest = 0;
-      for (const Match& m : all) largest = std::max(largest, (step * m.moving - m.moving).norm());
-      state.at = step * state.at;
-      ++state.iterations;
-      state.converged = largest <= options_.tolerance;
-    }
-    state.residual = 0;
-    for (const Match& m : matches(samples, state.at))
-      state.residual += std::min(m.distance, residual_cap) / static_cast<double>(samples.size());
-  }
-
-  // The best of those that have about the same rotation; \pre sorted.
-  std::vector<Candidate> distinct(std::vector<Candidate> sorted) const {
-    std::vector<Candidate> answers;
-    for (Candidate& c : sorted) {
-      const bool known = std::any_of(answers.begin(), answers.end(), [&](const Candidate& a) {
-        return Eigen::AngleAxisd(a.at.linear() * c.at.linear().transpose()).angle() < same_angle;
-      });
-      if (!known && static_cast<int>(answers.size()) < options_.most_answers) answers.push_back(c);
-    }
-    return answers;
+  // Moves every pose on and sorts them, best first.
+  void follow(std::vector<Pose>& poses, const std::vector<OrientedPoint>& samples, int iterations) const {
+    const auto matching = [&](const RigidTransform& at) { return detail::matches_of(samples, targets_, at); };
+    const detail::DescentOptions options{.iteration_limit = iterations, .tolerance = options_.tolerance};
+    parallel_for(static_cast<int>(poses.size()), ctx_, [&](int i) {
+      Pose& pose = poses[static_cast<std::size_t>(i)];
+      pose = detail::descend(pose, matching, options, ctx_);
+    });
+    detail::sort_best_first(poses);
   }
 
   const AlignPartOptions& options_;
@@ -182,7 +132,7 @@ void check(const AlignPartOptions& options) {
 std::vector<Alignment> align_part(const Mesh& part, const Mesh& whole, const RunContext& ctx,
                                   const AlignPartOptions& options) {
   check(options);
-  const std::vector<Candidate> found = PartSearch(part, whole, options, ctx).run();
+  const std::vector<Pose> found = PartSearch(part, whole, options, ctx).run();
   std::vector<Alignment> answers;
   for (std::size_t i = 0; i < found.size(); ++i) {
     Alignment answer;
