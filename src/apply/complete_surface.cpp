@@ -9,7 +9,6 @@
 #include "foramen/apply/posterior.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/match/oriented_points.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 
 namespace foramen {
@@ -50,9 +49,9 @@ class PartFit {
   PartFit(const Mesh& part, const ShapeModel& model, const CompleteSurfaceOptions& options)
       : options_(options),
         mean_mesh_(build_mesh({unflattened(model.mean()), model.triangles()})),
-        samples_(oriented_samples(part, options.samples, sample_seed)),
-        targets_(oriented_samples(part, targets_on_part, target_seed), options.normal_weight),
-        area_per_sample_(total_area(part) / options.samples) {}
+        samples_(oriented_samples(part, options.match.samples, sample_seed)),
+        targets_(oriented_samples(part, targets_on_part, target_seed), options.match.normal_weight),
+        area_per_sample_(total_area(part) / options.match.samples) {}
 
   /// From one pose, the modes alone.
   State fit_from(const RigidTransform& pose, const ShapeDistribution& modes, const RunContext& ctx) const {
@@ -138,54 +137,51 @@ class PartFit {
 
   Matches matches(const State& state, double noise) const {
     const Mesh shape = mean_mesh_.with_positions(unflattened(state.shape));
-    const IndexedPoints landmarks(oriented_vertices(shape), options_.normal_weight);
-    std::vector<OrientedPoint> samples;
-    for (const OrientedPoint& p : samples_) samples.push_back(moved(p, state.to_model));
+    const IndexedPoints landmarks(oriented_vertices(shape), options_.match.normal_weight);
+    std::vector<VertexMatch> all = matches_of_samples(landmarks, state.to_model);
+    // Landmarks that the part does not show are far from it: the median of all matches would be too large.
+    const MatchScale scale{.noise_mm = noise, .cut_mm = match_cut(all, options_.match)};
+    const auto taken = [&](const VertexMatch& m) { return m.distance < scale.cut_mm; };
     Matches result;
-    result.seen.assign(static_cast<std::size_t>(shape.vertex_count()), false);
+    result.matched_share =
+        static_cast<double>(std::count_if(all.begin(), all.end(), taken)) / static_cast<double>(all.size());
 
-    std::vector<NearPoint> near;
-    std::vector<double> distances;
-    for (const OrientedPoint& p : samples) {
-      near.push_back(landmarks.nearest(p));
-      distances.push_back(near.back().distance());
-    }
-    std::vector<double> sorted = distances;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double cut = options_.rejection * std::max(*middle, options_.least_median_mm);
-    const auto take = [&](int landmark, const OrientedPoint& on_part, double distance, double area) {
-      if (distance >= cut) return false;
-      result.observations.push_back(
-          {landmark, on_part.position,
-           precision(landmarks[landmark].normal, on_part.normal, distance / cut, area, noise)});
-      result.seen[static_cast<std::size_t>(landmark)] = true;
-      return true;
-    };
-    int matched = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      if (take(near[i].index, samples[i], distances[i], area_per_sample_)) ++matched;
-    result.matched_share = static_cast<double>(matched) / static_cast<double>(samples.size());
-
-    const SimilarityTransform back = state.to_model.inverse();
-    const VertexMap<double> areas = vertex_areas(shape);
-    for (VertexId v : shape.vertices()) {
-      const NearPoint partner = targets_.nearest(moved(landmarks[v.index], back));
-      const OrientedPoint& target = targets_[partner.index];
-      if (!target.at_border)
-        take(v.index, moved(target, state.to_model), state.to_model.scale * partner.distance(), areas[v]);
+    const std::vector<VertexMatch> of_landmarks = matches_of_landmarks(shape, landmarks, state.to_model);
+    all.insert(all.end(), of_landmarks.begin(), of_landmarks.end());
+    result.seen.assign(landmarks.points().size(), false);
+    for (const VertexMatch& m : all) {
+      if (!taken(m)) continue;
+      result.observations.push_back({m.vertex, m.partner.position,
+                                     match_precision(m, landmarks[m.vertex].normal, scale, options_.match)});
+      result.seen[static_cast<std::size_t>(m.vertex)] = true;
     }
     return result;
   }
 
-  Mat3 precision(const Vec3& landmark_normal, const Vec3& part_normal, double ratio, double area,
-                 double noise) const {
-    const double tukey = (1 - ratio * ratio) * (1 - ratio * ratio);
-    // Half: both surfaces bring their matches.
-    const double weight = tukey * area / options_.independent_area_mm2 / (2 * noise * noise);
-    const Vec3 normal = mean_normal(landmark_normal, part_normal);
-    return weight * ((1 - options_.tangential_share) * normal * normal.transpose() +
-                     options_.tangential_share * Mat3::Identity());
+  /// In model coordinates, as those of the landmarks.
+  std::vector<VertexMatch> matches_of_samples(const IndexedPoints& landmarks,
+                                              const SimilarityTransform& to_model) const {
+    std::vector<VertexMatch> matches;
+    for (const OrientedPoint& sample : samples_) {
+      const OrientedPoint here = moved(sample, to_model);
+      const NearPoint near = landmarks.nearest(here);
+      matches.push_back({near.index, here, near.distance(), area_per_sample_});
+    }
+    return matches;
+  }
+
+  std::vector<VertexMatch> matches_of_landmarks(const Mesh& shape, const IndexedPoints& landmarks,
+                                                const SimilarityTransform& to_model) const {
+    const SimilarityTransform back = to_model.inverse();
+    const VertexMap<double> areas = vertex_areas(shape);
+    std::vector<VertexMatch> matches;
+    for (VertexId v : shape.vertices()) {
+      const NearPoint near = targets_.nearest(moved(landmarks[v.index], back));
+      const OrientedPoint& target = targets_[near.index];
+      if (!target.at_border)
+        matches.push_back({v.index, moved(target, to_model), to_model.scale * near.distance(), areas[v]});
+    }
+    return matches;
   }
 
   const CompleteSurfaceOptions& options_;
@@ -198,12 +194,7 @@ class PartFit {
 void check(const CompleteSurfaceOptions& options) {
   const auto refuse = [](const std::string& what) { throw InvalidInput("complete_surface: " + what); };
   if (!(options.noise_mm > 0)) refuse("noise_mm must be > 0");
-  if (!(options.independent_area_mm2 > 0 && options.rejection > 0 && options.least_median_mm > 0))
-    refuse("independent_area_mm2, rejection and least_median_mm must be > 0");
-  if (!(options.tangential_share > 0 && options.tangential_share <= 1))
-    refuse("tangential_share must be in (0, 1]");
-  if (!(options.normal_weight >= 0)) refuse("normal_weight must be >= 0 mm");
-  if (options.samples < 1) refuse("samples must be at least 1");
+  check_match_options(options.match, "complete_surface");
   if (!(options.beyond_modes >= 0)) refuse("beyond_modes must be >= 0");
 }
 

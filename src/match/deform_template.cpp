@@ -9,7 +9,6 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/match/oriented_points.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
 namespace foramen {
@@ -28,20 +27,9 @@ void check(const Mesh& surface, const Eigen::MatrixXd& functions, const DeformTe
            std::to_string(surface.vertex_count()) + " vertices");
   if (options.noise_mm.empty() || *std::min_element(options.noise_mm.begin(), options.noise_mm.end()) <= 0)
     refuse("noise_mm must hold levels > 0");
-  if (options.iterations < 1 || options.samples < 1) refuse("iterations and samples must be at least 1");
-  if (!(options.normal_weight >= 0)) refuse("normal_weight must be >= 0 mm");
-  if (!(options.tangential_share > 0 && options.tangential_share <= 1))
-    refuse("tangential_share must be in (0, 1]");
-  if (!(options.independent_area_mm2 > 0 && options.rejection > 0 && options.least_median_mm > 0))
-    refuse("independent_area_mm2, rejection and least_median_mm must be > 0");
+  if (options.iterations < 1) refuse("iterations must be at least 1");
+  check_match_options(options.match, "deform_template");
 }
-
-struct Match {
-  int vertex;  // of the template
-  OrientedPoint on_shape;
-  double distance;  // of the search, mm
-  double area;      // that the match stands for, mm^2
-};
 
 /// Area-stratified vertices of the template: each sample of the surface by the nearest corner.
 std::vector<int> sampled_vertices(const Mesh& surface, int count) {
@@ -70,16 +58,16 @@ class Fit {
         functions_(functions),
         options_(options),
         prior_(prior_form(prior, 3 * functions.cols())),
-        shape_vertices_(oriented_vertices(shape), options.normal_weight),
-        shape_samples_(oriented_samples(shape, options.samples, shape_seed)),
-        vertices_(sampled_vertices(surface, options.samples)),
-        area_per_sample_(total_area(shape) / options.samples),
-        area_per_vertex_(total_area(surface) / options.samples) {}
+        shape_vertices_(oriented_vertices(shape), options.match.normal_weight),
+        shape_samples_(oriented_samples(shape, options.match.samples, shape_seed)),
+        vertices_(sampled_vertices(surface, options.match.samples)),
+        area_per_sample_(total_area(shape) / options.match.samples),
+        area_per_vertex_(total_area(surface) / options.match.samples) {}
 
   /// One set of matches, and the displacement that explains them best.
   Mesh improved(const Mesh& bent, double noise) const {
-    const IndexedPoints on_template(oriented_vertices(bent), options_.normal_weight);
-    std::vector<Match> matches;
+    const IndexedPoints on_template(oriented_vertices(bent), options_.match.normal_weight);
+    std::vector<VertexMatch> matches;
     matches.reserve(vertices_.size() + shape_samples_.size());
     for (const int v : vertices_) {
       const NearPoint near = shape_vertices_.nearest(on_template[v]);
@@ -93,33 +81,22 @@ class Fit {
   }
 
  private:
-  std::vector<Pull> pulls(const std::vector<Match>& matches, const IndexedPoints& on_template,
+  std::vector<Pull> pulls(const std::vector<VertexMatch>& matches, const IndexedPoints& on_template,
                           double noise) const {
-    std::vector<double> distances;
-    distances.reserve(matches.size());
-    for (const Match& m : matches) distances.push_back(m.distance);
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    const double cut = options_.rejection * std::max(*middle, options_.least_median_mm);
-
+    const MatchScale scale{.noise_mm = noise, .cut_mm = match_cut(matches, options_.match)};
     std::vector<Pull> all;
     VertexMap<int> slot(surface_.vertex_count(), -1);
-    for (const Match& m : matches) {
-      if (m.distance >= cut) continue;
+    for (const VertexMatch& m : matches) {
+      if (m.distance >= scale.cut_mm) continue;
       const VertexId v(m.vertex);
-      const double ratio = m.distance / cut, tukey = (1 - ratio * ratio) * (1 - ratio * ratio);
-      // Half: both surfaces bring their matches.
-      const double weight = tukey * m.area / options_.independent_area_mm2 / (2 * noise * noise);
-      const Vec3 normal = mean_normal(on_template[m.vertex].normal, m.on_shape.normal);
-      const Mat3 w = weight * ((1 - options_.tangential_share) * normal * normal.transpose() +
-                               options_.tangential_share * Mat3::Identity());
+      const Mat3 w = match_precision(m, on_template[m.vertex].normal, scale, options_.match);
       if (slot[v] < 0) {
         slot[v] = static_cast<int>(all.size());
         all.push_back({m.vertex});
       }
       Pull& pull = all[static_cast<std::size_t>(slot[v])];
       pull.weight += w;
-      pull.weighted_goal += w * (m.on_shape.position - surface_.position(v));
+      pull.weighted_goal += w * (m.partner.position - surface_.position(v));
     }
     return all;
   }

@@ -82,12 +82,12 @@ ordered_json inputs_json(const ModelBuild& build) {
 ordered_json deform_json(const DeformTemplateOptions& o) {
   return {{"noise_mm", o.noise_mm},
           {"iterations", o.iterations},
-          {"samples", o.samples},
-          {"normal_weight_mm", o.normal_weight},
-          {"tangential_share", o.tangential_share},
-          {"independent_area_mm2", o.independent_area_mm2},
-          {"rejection_medians", o.rejection},
-          {"least_median_mm", o.least_median_mm}};
+          {"samples", o.match.samples},
+          {"normal_weight_mm", o.match.normal_weight},
+          {"tangential_share", o.match.tangential_share},
+          {"independent_area_mm2", o.match.independent_area_mm2},
+          {"rejection_medians", o.match.rejection},
+          {"least_median_mm", o.match.least_median_mm}};
 }
 
 ordered_json scales_json(const SmoothDisplacementOptions& o) {

@@ -93,7 +93,8 @@ TEST_F(DeformTemplate, RefusesWhatDoesNotFit) {
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.noise_mm = {}}), InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.noise_mm = {-1}}), InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.iterations = 0}), InvalidInput);
-  EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.tangential_share = 0}), InvalidInput);
+  EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.match = {.tangential_share = 0}}),
+               InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {}, {}, {.mean = Eigen::VectorXd::Zero(1)}),
                InvalidInput);
 }

@@ -7,6 +7,7 @@
 #include "foramen/apply/shape_distribution.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/match/align_part.hpp"
+#include "foramen/match/vertex_matches.hpp"
 #include "foramen/model/procrustes.hpp"
 
 namespace foramen {
@@ -15,16 +16,7 @@ struct CompleteSurfaceOptions {
   ScaleMode scale = ScaleMode::keep;  ///< Of the model; remove: the part's size is fitted too.
   /// Standard deviation of the part's surface about the shape's, across the surface [mm]. > 0.
   double noise_mm = 0.5;
-  /// A patch of this area is one independent observation, however many points it holds [mm^2]. > 0.
-  double independent_area_mm2 = 20;
-  /// Part of the precision across the surface that holds along it, in (0, 1]: small, since a closest point
-  /// says little about where along the surface a landmark is.
-  double tangential_share = 0.05;
-  /// Matches farther than this many medians are left out (Tukey's biweight). > 0.
-  double rejection = 4;
-  double least_median_mm = 0.5;  ///< The median counts as no less than this. > 0.
-  double normal_weight = 8.0;    ///< mm per unit of normal difference in the searches, >= 0
-  int samples = 2000;            ///< of the part, > 0
+  MatchOptions match = {.samples = 2000};  ///< Its samples are of the part.
   /// Variance of what shapes have beyond the modes, as a share of the smooth process; 0: the modes alone.
   double beyond_modes = 0.3;
   SmoothDisplacementOptions smooth = {.scales = {{40, 4}, {20, 1.5}}, .left_out_mm = 0.6};

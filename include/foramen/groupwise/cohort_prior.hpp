@@ -14,7 +14,7 @@ namespace foramen {
 
 struct CohortPriorOptions {
   double noise_mm = 0.25;            ///< Standard deviation of a corresponding point [mm]. > 0.
-  double independent_area_mm2 = 20;  ///< A patch of this area is one point, see DeformTemplateOptions. > 0.
+  double independent_area_mm2 = 20;  ///< A patch of this area is one point, see MatchOptions. > 0.
   double least_share = 0.02;  ///< Of variance that is always left to what no other shape does. In (0, 1].
 };
 
