@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "foramen/correspond/align.hpp"
 #include "foramen/correspond/icp_baseline.hpp"
+#include "foramen/match/align.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "described_option.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
@@ -105,18 +106,8 @@ void add_complete(CLI::App& program, Run& run) {
   command->add_option("model", options->model, "folder of a model")->required();
   command->add_option("surface", options->surface, "mesh file, its triangles wound outward")->required();
   command->add_option("-o,--output", options->output, "folder to write")->required();
-  command
-      ->add_option("--noise", options->options.noise_mm,
-                   "standard deviation of the surface about the shape [mm]")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--beyond-modes", options->options.beyond_modes,
-          "variance of smooth displacements that no mode has, as a share of the prior's; 0: the modes "
-          "alone")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_described(*command, "--noise", options->options, "noise");
+  add_described(*command, "--beyond-modes", options->options, "beyond_modes");
   add_unit_option(*command, options->unit);
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return complete(*options); }; });

@@ -9,8 +9,7 @@
 #include "foramen/apply/posterior.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
-#include "foramen/spatial/surface_distance.hpp"
+#include "foramen/spatial/triangle_tree.hpp"
 
 namespace foramen {
 namespace {
@@ -24,43 +23,12 @@ constexpr double shift_mm = 10, turn_rad = 0.3, log_size = 0.1;
 constexpr double coarse_noise_mm[] = {4, 2, 1};
 constexpr int coarse_iterations = 6, fine_iterations = 8, smooth_iterations = 6;
 
-struct OrientedPoint {
-  Vec3 position, normal;
-  bool at_border = false;
-};
-
-/// Points of the part, in its own coordinates.
-std::vector<OrientedPoint> sampled(const Mesh& mesh, int count, std::uint64_t seed) {
-  const VertexMap<Vec3> normals = vertex_normals(mesh);
-  std::vector<OrientedPoint> samples;
-  for (const SurfacePoint& p : sample_surface(mesh, count, Rng(seed))) {
-    OrientedPoint sample{position(mesh, p), Vec3::Zero(), false};
-    const auto corners = mesh.corners(p.face);
-    for (std::size_t k = 0; k < 3; ++k) {
-      sample.normal += p.barycentric[static_cast<Eigen::Index>(k)] * normals[corners[k]];
-      sample.at_border = sample.at_border || mesh.is_boundary(corners[k]);
-    }
-    sample.normal.normalize();
-    samples.push_back(sample);
-  }
-  return samples;
-}
-
 SimilarityTransform composed(const SimilarityTransform& second, const SimilarityTransform& first) {
   return {second.scale * first.scale, second.rotation * first.rotation, second(first.translation)};
 }
 
 OrientedPoint moved(const OrientedPoint& p, const SimilarityTransform& by) {
   return {by(p.position), by.rotation * p.normal, p.at_border};
-}
-
-OrientedPointIndex index_of(const std::vector<OrientedPoint>& points, double normal_weight) {
-  std::vector<Vec3> positions, normals;
-  for (const OrientedPoint& p : points) {
-    positions.push_back(p.position);
-    normals.push_back(p.normal);
-  }
-  return {positions, normals, normal_weight};
 }
 
 /// Where the fit is: the pose, and the shape in model coordinates.
@@ -81,10 +49,9 @@ class PartFit {
   PartFit(const Mesh& part, const ShapeModel& model, const CompleteSurfaceOptions& options)
       : options_(options),
         mean_mesh_(build_mesh({unflattened(model.mean()), model.triangles()})),
-        samples_(sampled(part, options.samples, sample_seed)),
-        targets_(sampled(part, targets_on_part, target_seed)),
-        targets_index_(index_of(targets_, options.normal_weight)),
-        area_per_sample_(total_area(part) / options.samples) {}
+        samples_(oriented_samples(part, options.match.samples, sample_seed)),
+        targets_(oriented_samples(part, targets_on_part, target_seed), options.match.normal_weight),
+        area_per_sample_(total_area(part) / options.match.samples) {}
 
   /// From one pose, the modes alone.
   State fit_from(const RigidTransform& pose, const ShapeDistribution& modes, const RunContext& ctx) const {
@@ -170,83 +137,64 @@ class PartFit {
 
   Matches matches(const State& state, double noise) const {
     const Mesh shape = mean_mesh_.with_positions(unflattened(state.shape));
-    const VertexMap<Vec3> normals = vertex_normals(shape);
-    const OrientedPointIndex landmarks(shape.positions(), normals.values(), options_.normal_weight);
-    std::vector<OrientedPoint> samples;
-    for (const OrientedPoint& p : samples_) samples.push_back(moved(p, state.to_model));
+    const IndexedPoints landmarks(oriented_vertices(shape), options_.match.normal_weight);
+    std::vector<VertexMatch> all = matches_of_samples(landmarks, state.to_model);
+    // Landmarks that the part does not show are far from it: the median of all matches would be too large.
+    const MatchScale scale{.noise_mm = noise, .cut_mm = match_cut(all, options_.match)};
+    const auto taken = [&](const VertexMatch& m) { return m.distance < scale.cut_mm; };
     Matches result;
-    result.seen.assign(static_cast<std::size_t>(shape.vertex_count()), false);
+    result.matched_share =
+        static_cast<double>(std::count_if(all.begin(), all.end(), taken)) / static_cast<double>(all.size());
 
-    std::vector<NearPoint> near;
-    std::vector<double> distances;
-    for (const OrientedPoint& p : samples) {
-      near.push_back(landmarks.nearest(p.position, p.normal));
-      distances.push_back(std::sqrt(near.back().squared_distance));
-    }
-    std::vector<double> sorted = distances;
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    const double cut = options_.rejection * std::max(*middle, options_.least_median_mm);
-    const auto take = [&](int landmark, const OrientedPoint& on_part, double distance, double area) {
-      if (distance >= cut) return false;
-      result.observations.push_back(
-          {landmark, on_part.position,
-           precision(normals[VertexId(landmark)], on_part.normal, distance / cut, area, noise)});
-      result.seen[static_cast<std::size_t>(landmark)] = true;
-      return true;
-    };
-    int matched = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      if (take(near[i].index, samples[i], distances[i], area_per_sample_)) ++matched;
-    result.matched_share = static_cast<double>(matched) / static_cast<double>(samples.size());
-
-    const SimilarityTransform back = state.to_model.inverse();
-    const VertexMap<double> areas = vertex_areas(shape);
-    for (VertexId v : shape.vertices()) {
-      const NearPoint partner = targets_index_.nearest(back(shape.position(v)), back.rotation * normals[v]);
-      const OrientedPoint& target = targets_[static_cast<std::size_t>(partner.index)];
-      if (!target.at_border)
-        take(v.index, moved(target, state.to_model),
-             state.to_model.scale * std::sqrt(partner.squared_distance), areas[v]);
+    const std::vector<VertexMatch> of_landmarks = matches_of_landmarks(shape, landmarks, state.to_model);
+    all.insert(all.end(), of_landmarks.begin(), of_landmarks.end());
+    result.seen.assign(landmarks.points().size(), false);
+    for (const VertexMatch& m : all) {
+      if (!taken(m)) continue;
+      result.observations.push_back({m.vertex, m.partner.position,
+                                     match_precision(m, landmarks[m.vertex].normal, scale, options_.match)});
+      result.seen[static_cast<std::size_t>(m.vertex)] = true;
     }
     return result;
   }
 
-  Mat3 precision(const Vec3& landmark_normal, const Vec3& part_normal, double ratio, double area,
-                 double noise) const {
-    const double tukey = (1 - ratio * ratio) * (1 - ratio * ratio);
-    // Half: both surfaces bring their matches.
-    const double weight = tukey * area / options_.independent_area_mm2 / (2 * noise * noise);
-    const Vec3 sum = landmark_normal + part_normal;
-    const Vec3 normal = sum.isZero(1e-9) ? part_normal : Vec3(sum.normalized());
-    return weight * ((1 - options_.tangential_share) * normal * normal.transpose() +
-                     options_.tangential_share * Mat3::Identity());
+  /// In model coordinates, as those of the landmarks.
+  std::vector<VertexMatch> matches_of_samples(const IndexedPoints& landmarks,
+                                              const SimilarityTransform& to_model) const {
+    std::vector<VertexMatch> matches;
+    for (const OrientedPoint& sample : samples_) {
+      const OrientedPoint here = moved(sample, to_model);
+      const NearPoint near = landmarks.nearest(here);
+      matches.push_back({near.index, here, near.distance(), area_per_sample_});
+    }
+    return matches;
+  }
+
+  std::vector<VertexMatch> matches_of_landmarks(const Mesh& shape, const IndexedPoints& landmarks,
+                                                const SimilarityTransform& to_model) const {
+    const SimilarityTransform back = to_model.inverse();
+    const VertexMap<double> areas = vertex_areas(shape);
+    std::vector<VertexMatch> matches;
+    for (VertexId v : shape.vertices()) {
+      const NearPoint near = targets_.nearest(moved(landmarks[v.index], back));
+      const OrientedPoint& target = targets_[near.index];
+      if (!target.at_border)
+        matches.push_back({v.index, moved(target, to_model), to_model.scale * near.distance(), areas[v]});
+    }
+    return matches;
   }
 
   const CompleteSurfaceOptions& options_;
   Mesh mean_mesh_;
-  std::vector<OrientedPoint> samples_, targets_;
-  OrientedPointIndex targets_index_;
+  std::vector<OrientedPoint> samples_;
+  IndexedPoints targets_;
   double area_per_sample_;
 };
-
-void check(const CompleteSurfaceOptions& options) {
-  const auto refuse = [](const std::string& what) { throw InvalidInput("complete_surface: " + what); };
-  if (!(options.noise_mm > 0)) refuse("noise_mm must be > 0");
-  if (!(options.independent_area_mm2 > 0 && options.rejection > 0 && options.least_median_mm > 0))
-    refuse("independent_area_mm2, rejection and least_median_mm must be > 0");
-  if (!(options.tangential_share > 0 && options.tangential_share <= 1))
-    refuse("tangential_share must be in (0, 1]");
-  if (!(options.normal_weight >= 0)) refuse("normal_weight must be >= 0 mm");
-  if (options.samples < 1) refuse("samples must be at least 1");
-  if (!(options.beyond_modes >= 0)) refuse("beyond_modes must be >= 0");
-}
-
 }  // namespace
 
 CompletedSurface complete_surface(const Mesh& part, const ShapeModel& model, const RunContext& ctx,
                                   const CompleteSurfaceOptions& options) {
-  check(options);
+  check_options("complete_surface", options);
   const Mesh mean = build_mesh({unflattened(model.mean()), model.triangles()});
   const std::vector<Alignment> poses = align_part(part, mean, ctx, options.pose);
   const PartFit fit(part, model, options);

@@ -5,8 +5,8 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/match/oriented_points.hpp"
 #include "foramen/parameterize/initial_map.hpp"
-#include "foramen/spatial/point_index.hpp"
 #include "foramen/topology/linking.hpp"
 
 namespace foramen {
@@ -30,14 +30,11 @@ FirstMap first_map(const Mesh& carried, const Mesh& embedded, const ReferenceLoo
 
 TorusMap translated_onto(TorusMap map, const Mesh& carried, const Mesh& reference,
                          const TorusMap& reference_map) {
-  const auto normals = vertex_normals(carried), reference_normals = vertex_normals(reference);
-  const OrientedPointIndex index(reference.positions(), reference_normals.values(),
-                                 vertebra_normal_weight_mm);
+  const VertexMap<VertexId> near = nearest_vertices(carried, reference);
   const auto areas = vertex_areas(carried);
   Vec2 cosine = Vec2::Zero(), sine = Vec2::Zero();
   for (VertexId v : carried.vertices()) {
-    const VertexId near(index.nearest(carried.position(v), normals[v]).index);
-    const Vec2 difference = 2 * std::numbers::pi * (reference_map.turns[near] - map.turns[v]);
+    const Vec2 difference = 2 * std::numbers::pi * (reference_map.turns[near[v]] - map.turns[v]);
     cosine += areas[v] * difference.array().cos().matrix();
     sine += areas[v] * difference.array().sin().matrix();
   }

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "foramen/core/geometry.hpp"
 #include "correspond/member_steps.hpp"
+#include "foramen/core/geometry.hpp"
 
 namespace foramen {
 namespace {

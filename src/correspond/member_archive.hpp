@@ -2,9 +2,9 @@
 /// \file
 /// Private to correspond: what is kept of a shape on its way, as bytes.
 
-#include "foramen/core/stage_store.hpp"
-#include "correspond/registered_archive.hpp"
 #include "correspond/member_steps.hpp"
+#include "correspond/registered_archive.hpp"
+#include "foramen/core/stage_store.hpp"
 
 namespace foramen {
 

@@ -6,7 +6,7 @@
 #include "correspond/map_steps.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/correspond/description_objective.hpp"
-#include "foramen/spatial/point_index.hpp"
+#include "foramen/match/oriented_points.hpp"
 
 namespace foramen {
 namespace {
@@ -14,16 +14,12 @@ namespace {
 // Where the shape would lie if the bending were undone: every vertex moved back by the displacement of the
 // bent template's nearest vertex.
 Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vector<Vec3>& bent) {
-  const auto normals = vertex_normals(shape);
-  const auto bent_normals = vertex_normals(surface.mesh.with_positions(bent));
-  const OrientedPointIndex index(bent, bent_normals.values(), vertebra_normal_weight_mm);
+  const VertexMap<VertexId> near = nearest_vertices(shape, surface.mesh.with_positions(bent));
   std::vector<Vec3> positions;
   positions.reserve(bent.size());
-  for (VertexId v : shape.vertices()) {
-    const int near = index.nearest(shape.position(v), normals[v]).index;
-    positions.push_back(shape.position(v) + surface.mesh.position(VertexId(near)) -
-                        bent[static_cast<std::size_t>(near)]);
-  }
+  for (VertexId v : shape.vertices())
+    positions.push_back(shape.position(v) + surface.mesh.position(near[v]) -
+                        bent[static_cast<std::size_t>(near[v].index)]);
   return shape.with_positions(std::move(positions));
 }
 

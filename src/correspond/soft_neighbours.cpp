@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "foramen/core/error.hpp"
-#include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
+#include "foramen/match/oriented_points.hpp"
 
 namespace foramen {
 namespace {
@@ -19,10 +18,8 @@ std::vector<std::vector<NearPoint>> neighbours(const Mesh& shape, const Mesh& re
     const PointIndex index(reference.positions());
     for (VertexId v : shape.vertices()) found.push_back(index.nearest(shape.position(v), count));
   } else {
-    const auto normals = vertex_normals(shape), reference_normals = vertex_normals(reference);
-    const OrientedPointIndex index(reference.positions(), reference_normals.values(),
-                                   vertebra_normal_weight_mm);
-    for (VertexId v : shape.vertices()) found.push_back(index.nearest(shape.position(v), normals[v], count));
+    const IndexedPoints index(oriented_vertices(reference), vertebra_normal_weight_mm);
+    for (const OrientedPoint& p : oriented_vertices(shape)) found.push_back(index.nearest(p, count));
   }
   return found;
 }

@@ -7,6 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/match/robust_weight.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 
 namespace foramen {
@@ -27,8 +28,7 @@ SurfaceTargets::SurfaceTargets(const Mesh& shape, const TemplateSurface& surface
     for (std::size_t k = 0; k < 3; ++k)
       target.position += near->on.barycentric[static_cast<Eigen::Index>(k)] * plane[k];
     const double ratio2 = near->squared_distance / (options.reach_mm * options.reach_mm);
-    const double tukey = std::max(0.0, 1 - ratio2) * std::max(0.0, 1 - ratio2);
-    target.weight = tukey * interpolated(surface.mesh, tensors, near->on);
+    target.weight = tukey_weight(ratio2) * interpolated(surface.mesh, tensors, near->on);
   }
 }
 

@@ -5,19 +5,19 @@
 #include "correspond/vertex_path.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
+#include "foramen/match/oriented_points.hpp"
 #include "foramen/topology/linking.hpp"
 
 namespace foramen {
 namespace {
 
-EdgeLoop transfer_loop(const Mesh& shape, const OrientedPointIndex& index, VertexPaths& paths,
+EdgeLoop transfer_loop(const Mesh& shape, const IndexedPoints& vertices, VertexPaths& paths,
                        const ReferenceLoops& reference, const VertexMap<Vec3>& reference_normals,
                        const EdgeLoop& loop) {
   std::vector<VertexId> stations;
   for (HalfedgeId h : loop) {
     const VertexId v = reference.mesh.from(h);
-    const VertexId moved(index.nearest(reference.mesh.position(v), reference_normals[v]).index);
+    const VertexId moved(vertices.nearest({reference.mesh.position(v), reference_normals[v]}).index);
     if (stations.empty() || stations.back() != moved) stations.push_back(moved);
   }
   EdgeLoop closed;
@@ -67,15 +67,14 @@ std::array<VertexMap<Vec3>, 2> vertex_gradients(const Mesh& mesh, const TorusMap
 HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form,
                                    const ReferenceLoops& reference) {
   const auto reference_normals = vertex_normals(reference.mesh);
-  const auto normals = vertex_normals(aligned_shape);
-  const OrientedPointIndex index(aligned_shape.positions(), normals.values(), vertebra_normal_weight_mm);
+  const IndexedPoints vertices(oriented_vertices(aligned_shape), vertebra_normal_weight_mm);
   const auto lengths = edge_lengths(aligned_shape);
   VertexPaths paths(aligned_shape, lengths);
   HomologyTransfer transfer;
   for (int k = 0; k < 2; ++k) {
     const EdgeLoop& loop = reference.loops.loops[static_cast<std::size_t>(k)];
     auto& moved = transfer.transferred[static_cast<std::size_t>(k)];
-    moved = transfer_loop(aligned_shape, index, paths, reference, reference_normals, loop);
+    moved = transfer_loop(aligned_shape, vertices, paths, reference, reference_normals, loop);
     transfer.a.col(k) = integrate(form, moved);
   }
   const int det = transfer.a(0, 0) * transfer.a(1, 1) - transfer.a(0, 1) * transfer.a(1, 0);
@@ -118,16 +117,14 @@ void require_reference_homology(const Mesh& mesh, const TorusMap& map, const Vec
 
 Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference,
                    const TorusMap& reference_map) {
-  const auto normals = vertex_normals(aligned_shape), reference_normals = vertex_normals(reference);
-  const OrientedPointIndex index(reference.positions(), reference_normals.values(),
-                                 vertebra_normal_weight_mm);
+  const VertexMap<VertexId> near = nearest_vertices(aligned_shape, reference);
   const auto here = vertex_gradients(aligned_shape, map), there = vertex_gradients(reference, reference_map);
   const auto areas = vertex_areas(aligned_shape);
   Vec2 sum = Vec2::Zero();
   double weight = 0;
   for (VertexId v : aligned_shape.vertices()) {
-    const VertexId near(index.nearest(aligned_shape.position(v), normals[v]).index);
-    for (std::size_t c = 0; c < 2; ++c) sum[static_cast<int>(c)] += areas[v] * here[c][v].dot(there[c][near]);
+    for (std::size_t c = 0; c < 2; ++c)
+      sum[static_cast<int>(c)] += areas[v] * here[c][v].dot(there[c][near[v]]);
     weight += areas[v];
   }
   return sum / weight;

@@ -105,7 +105,7 @@ TEST(CompleteSurface, FindsTheSizeWhereSizeIsNoPartOfShape) {
 TEST(CompleteSurface, RefusesWhatIsOutOfRange) {
   const TriangleSoup part = below_x(member(1), cut_x);
   EXPECT_THROW(completed(part, {.noise_mm = 0}), InvalidInput);
-  EXPECT_THROW(completed(part, {.tangential_share = 0}), InvalidInput);
+  EXPECT_THROW(completed(part, {.match = {.tangential_share = 0}}), InvalidInput);
   EXPECT_THROW(completed(part, {.beyond_modes = -1}), InvalidInput);
 }
 

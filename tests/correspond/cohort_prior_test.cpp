@@ -5,7 +5,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "foramen/apply/complete_surface.hpp"
 #include "foramen/core/options.hpp"
 #include "foramen/evaluate/evaluate_model.hpp"
 #include "foramen/extract/extract_label.hpp"
@@ -100,7 +101,8 @@ using AllOptions =
                      CohortPriorOptions, DeformTemplateOptions, SurfaceTargetsOptions,
                      DescriptionLengthOptions, PlaceLandmarksOptions, LandmarkSpreadOptions, RemeshOptions,
                      CurvatureDensityOptions, ErrorDensityOptions, ShapeModelOptions, EvaluationOptions,
-                     RepairOptions, RemoveHandlesOptions, ExtractOptions, SynthOptions>;
+                     RepairOptions, RemoveHandlesOptions, ExtractOptions, SynthOptions, MatchOptions,
+                     AlignOptions, AlignPartOptions, CompleteSurfaceOptions, GeneralizationOptions>;
 TYPED_TEST_SUITE(EveryOption, AllOptions);
 
 TYPED_TEST(EveryOption, IsDescribed) {

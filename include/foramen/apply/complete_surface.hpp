@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "foramen/apply/shape_distribution.hpp"
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/correspond/align_part.hpp"
+#include "foramen/match/align_part.hpp"
+#include "foramen/match/vertex_matches.hpp"
 #include "foramen/model/procrustes.hpp"
 
 namespace foramen {
@@ -15,21 +17,31 @@ struct CompleteSurfaceOptions {
   ScaleMode scale = ScaleMode::keep;  ///< Of the model; remove: the part's size is fitted too.
   /// Standard deviation of the part's surface about the shape's, across the surface [mm]. > 0.
   double noise_mm = 0.5;
-  /// A patch of this area is one independent observation, however many points it holds [mm^2]. > 0.
-  double independent_area_mm2 = 20;
-  /// Part of the precision across the surface that holds along it, in (0, 1]: small, since a closest point
-  /// says little about where along the surface a landmark is.
-  double tangential_share = 0.05;
-  /// Matches farther than this many medians are left out (Tukey's biweight). > 0.
-  double rejection = 4;
-  double least_median_mm = 0.5;  ///< The median counts as no less than this. > 0.
-  double normal_weight = 8.0;    ///< mm per unit of normal difference in the searches, >= 0
-  int samples = 2000;            ///< of the part, > 0
+  MatchOptions match = {.samples = 2000};  ///< Its samples are of the part.
   /// Variance of what shapes have beyond the modes, as a share of the smooth process; 0: the modes alone.
   double beyond_modes = 0.3;
   SmoothDisplacementOptions smooth = {.scales = {{40, 4}, {20, 1.5}}, .left_out_mm = 0.6};
   AlignPartOptions pose = {};
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<CompleteSurfaceOptions> auto& o) {
+  visit(o.scale,
+        {.name = "scale",
+         .meaning = "whether the model keeps sizes; if it removes them, the part's size is fitted too"});
+  visit(o.noise_mm, {.name = "noise",
+                     .unit = "mm",
+                     .range = above(0),
+                     .meaning = "standard deviation of the surface about the shape"});
+  visit(o.match, {.name = "match"});
+  visit(
+      o.beyond_modes,
+      {.name = "beyond_modes",
+       .range = at_least(0),
+       .meaning =
+           "variance of smooth displacements that no mode has, as a share of the prior's; 0: the modes alone"});
+  visit(o.smooth, {.name = "smooth"});
+  visit(o.pose, {.name = "pose"});
+}
 
 struct CompletedSurface {
   SimilarityTransform to_model;  ///< part's coordinates -> the model's

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 #include "foramen/model/shape_model.hpp"
 
 namespace foramen {

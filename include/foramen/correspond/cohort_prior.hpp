@@ -9,7 +9,7 @@
 
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/displacement_prior.hpp"
+#include "foramen/match/displacement_prior.hpp"
 
 namespace foramen {
 

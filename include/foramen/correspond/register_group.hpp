@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/deform_template.hpp"
-#include "foramen/correspond/register_shape.hpp"
-#include "foramen/correspond/smooth_displacements.hpp"
-#include "foramen/correspond/surface_targets.hpp"
 #include "foramen/correspond/cohort_prior.hpp"
 #include "foramen/correspond/description_length.hpp"
 #include "foramen/correspond/mean_template.hpp"
+#include "foramen/correspond/register_shape.hpp"
+#include "foramen/correspond/surface_targets.hpp"
+#include "foramen/match/deform_template.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 
 namespace foramen {
 

@@ -3,10 +3,10 @@
 /// The torus map of the reference, and of every other shape in correspondence with it.
 
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/align.hpp"
 #include "foramen/correspond/first_map.hpp"
 #include "foramen/correspond/shape_map.hpp"
 #include "foramen/correspond/soft_neighbours.hpp"
+#include "foramen/match/align.hpp"
 
 namespace foramen {
 

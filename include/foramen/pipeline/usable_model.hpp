@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "foramen/evaluate/generalization.hpp"
 #include "foramen/correspond/mean_registrar.hpp"
+#include "foramen/evaluate/generalization.hpp"
 #include "foramen/pipeline/atlas_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 

@@ -2,6 +2,7 @@
 /// \file
 /// Nearest points by kd-tree.
 
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@ namespace foramen {
 struct NearPoint {
   int index = -1;
   double squared_distance = 0;
+  double distance() const { return std::sqrt(squared_distance); }
 };
 
 /// Nearest points in space; equal distances: the smaller index.

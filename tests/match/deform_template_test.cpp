@@ -1,4 +1,4 @@
-#include "foramen/correspond/deform_template.hpp"
+#include "foramen/match/deform_template.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/torus_cohort.hpp"
@@ -93,7 +93,8 @@ TEST_F(DeformTemplate, RefusesWhatDoesNotFit) {
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.noise_mm = {}}), InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.noise_mm = {-1}}), InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.iterations = 0}), InvalidInput);
-  EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.tangential_share = 0}), InvalidInput);
+  EXPECT_THROW(deform_template(surface, functions, surface, ctx, {.match = {.tangential_share = 0}}),
+               InvalidInput);
   EXPECT_THROW(deform_template(surface, functions, surface, ctx, {}, {}, {.mean = Eigen::VectorXd::Zero(1)}),
                InvalidInput);
 }

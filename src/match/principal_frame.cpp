@@ -1,4 +1,4 @@
-#include "correspond/principal_frame.hpp"
+#include "match/principal_frame.hpp"
 
 #include <algorithm>
 #include <array>

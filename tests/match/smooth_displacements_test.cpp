@@ -1,4 +1,4 @@
-#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 
 #include <cmath>
 

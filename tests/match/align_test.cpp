@@ -1,4 +1,4 @@
-#include "foramen/correspond/align.hpp"
+#include "foramen/match/align.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 
 #include <Eigen/SVD>
 
-#include "correspond/principal_frame.hpp"
-#include "correspond/rigid_step.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
+#include "match/principal_frame.hpp"
+#include "match/rigid_step.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
 

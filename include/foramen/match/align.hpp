@@ -3,18 +3,38 @@
 /// Rigid alignment by iterated closest points with normals in the similarity, from any scanner orientation.
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 
 namespace foramen {
 
 struct AlignOptions {
-  double normal_weight = 8.0;  ///< mm per unit of normal difference in the 6-D neighbour search. >= 0.
-  int sample_points = 4000;    ///< Surface samples matched per iteration, half of them on each shape. >= 2.
-  int coarse_iterations = 6;   ///< for each of the 24 starts; twice as many more for the best few. >= 0.
-  int iteration_limit = 100;   ///< of the fine iterations. >= 0.
-  double tolerance =
-      1e-4;  ///< Stops when the motion of an iteration moves no sample point by more than this [mm].
+  double normal_weight = 8.0;
+  int sample_points = 4000;
+  int coarse_iterations = 6;  ///< twice as many more for the best few starts
+  int iteration_limit = 100;
+  double tolerance = 1e-4;
 };
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<AlignOptions> auto& o) {
+  visit(o.normal_weight, {.name = "normal_weight",
+                          .unit = "mm",
+                          .range = at_least(0),
+                          .meaning = "distance that a unit of normal difference counts as in the searches"});
+  visit(o.sample_points, {.name = "sample_points",
+                          .range = at_least(2),
+                          .meaning = "surface samples matched per iteration, half of them on each shape"});
+  visit(o.coarse_iterations, {.name = "coarse_iterations",
+                              .range = at_least(0),
+                              .meaning = "iterations from each of the 24 starts"});
+  visit(o.iteration_limit,
+        {.name = "iteration_limit", .range = at_least(0), .meaning = "most fine iterations"});
+  visit(o.tolerance,
+        {.name = "tolerance",
+         .unit = "mm",
+         .range = at_least(0),
+         .meaning = "largest motion of a sample point in an iteration at which the search stops"});
+}
 
 struct Alignment {
   RigidTransform transform = RigidTransform::Identity();  ///< moving -> fixed

@@ -1,4 +1,4 @@
-#include "foramen/correspond/align_part.hpp"
+#include "foramen/match/align_part.hpp"
 
 #include <gtest/gtest.h>
 

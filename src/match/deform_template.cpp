@@ -1,4 +1,4 @@
-#include "foramen/correspond/deform_template.hpp"
+#include "foramen/match/deform_template.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
 namespace foramen {
@@ -26,26 +25,9 @@ void check(const Mesh& surface, const Eigen::MatrixXd& functions, const DeformTe
   if (!start.empty() && static_cast<int>(start.size()) != surface.vertex_count())
     refuse("start has " + std::to_string(start.size()) + " positions for " +
            std::to_string(surface.vertex_count()) + " vertices");
-  if (options.noise_mm.empty() || *std::min_element(options.noise_mm.begin(), options.noise_mm.end()) <= 0)
-    refuse("noise_mm must hold levels > 0");
-  if (options.iterations < 1 || options.samples < 1) refuse("iterations and samples must be at least 1");
-  if (!(options.normal_weight >= 0)) refuse("normal_weight must be >= 0 mm");
-  if (!(options.tangential_share > 0 && options.tangential_share <= 1))
-    refuse("tangential_share must be in (0, 1]");
-  if (!(options.independent_area_mm2 > 0 && options.rejection > 0 && options.least_median_mm > 0))
-    refuse("independent_area_mm2, rejection and least_median_mm must be > 0");
+  if (options.noise_mm.empty()) refuse("noise must hold at least one level");
+  check_options("deform_template", options);
 }
-
-struct OrientedPoint {
-  Vec3 position, normal;
-};
-
-struct Match {
-  int vertex;  // of the template
-  OrientedPoint on_shape;
-  double distance;  // of the search, mm
-  double area;      // that the match stands for, mm^2
-};
 
 /// Area-stratified vertices of the template: each sample of the surface by the nearest corner.
 std::vector<int> sampled_vertices(const Mesh& surface, int count) {
@@ -58,45 +40,6 @@ std::vector<int> sampled_vertices(const Mesh& surface, int count) {
   }
   return vertices;
 }
-
-/// The shape as matches see it.
-class MatchedShape {
- public:
-  MatchedShape(const Mesh& shape, const DeformTemplateOptions& options)
-      : shape_(shape),
-        normals_(vertex_normals(shape)),
-        index_(shape.positions(), normals_.values(), options.normal_weight),
-        area_per_sample_(total_area(shape) / options.samples) {
-    for (const SurfacePoint& p : sample_surface(shape, options.samples, Rng(shape_seed))) {
-      const auto corners = shape.corners(p.face);
-      Vec3 normal = Vec3::Zero();
-      for (std::size_t k = 0; k < 3; ++k)
-        normal += p.barycentric[static_cast<Eigen::Index>(k)] * normals_[corners[k]];
-      samples_.push_back({position(shape, p), normal.normalized()});
-    }
-  }
-
-  /// The shape's nearest vertex to a point of the template.
-  Match match_of(int vertex, const OrientedPoint& bent, double area) const {
-    const NearPoint near = index_.nearest(bent.position, bent.normal);
-    const VertexId partner(near.index);
-    return {vertex, {shape_.position(partner), normals_[partner]}, std::sqrt(near.squared_distance), area};
-  }
-  /// The template's nearest vertices to the shape's samples.
-  void add_matches_of_samples(const OrientedPointIndex& bent, std::vector<Match>& matches) const {
-    for (const OrientedPoint& sample : samples_) {
-      const NearPoint near = bent.nearest(sample.position, sample.normal);
-      matches.push_back({near.index, sample, std::sqrt(near.squared_distance), area_per_sample_});
-    }
-  }
-
- private:
-  const Mesh& shape_;
-  VertexMap<Vec3> normals_;
-  OrientedPointIndex index_;
-  std::vector<OrientedPoint> samples_;
-  double area_per_sample_;
-};
 
 /// All matches of a template vertex as one: \f$ (u - goal)^T W (u - goal) \f$, W goal kept in their place.
 struct Pull {
@@ -113,51 +56,45 @@ class Fit {
         functions_(functions),
         options_(options),
         prior_(prior_form(prior, 3 * functions.cols())),
-        shape_(shape, options),
-        vertices_(sampled_vertices(surface, options.samples)),
-        area_per_vertex_(total_area(surface) / options.samples) {}
+        shape_vertices_(oriented_vertices(shape), options.match.normal_weight),
+        shape_samples_(oriented_samples(shape, options.match.samples, shape_seed)),
+        vertices_(sampled_vertices(surface, options.match.samples)),
+        area_per_sample_(total_area(shape) / options.match.samples),
+        area_per_vertex_(total_area(surface) / options.match.samples) {}
 
   /// One set of matches, and the displacement that explains them best.
   Mesh improved(const Mesh& bent, double noise) const {
-    const VertexMap<Vec3> normals = vertex_normals(bent);
-    std::vector<Match> matches;
-    matches.reserve(2 * vertices_.size());
-    for (const int v : vertices_)
-      matches.push_back(
-          shape_.match_of(v, {bent.position(VertexId(v)), normals[VertexId(v)]}, area_per_vertex_));
-    shape_.add_matches_of_samples({bent.positions(), normals.values(), options_.normal_weight}, matches);
-    return displaced(solved(pulls(matches, normals, noise)));
+    const IndexedPoints on_template(oriented_vertices(bent), options_.match.normal_weight);
+    std::vector<VertexMatch> matches;
+    matches.reserve(vertices_.size() + shape_samples_.size());
+    for (const int v : vertices_) {
+      const NearPoint near = shape_vertices_.nearest(on_template[v]);
+      matches.push_back({v, shape_vertices_[near.index], near.distance(), area_per_vertex_});
+    }
+    for (const OrientedPoint& sample : shape_samples_) {
+      const NearPoint near = on_template.nearest(sample);
+      matches.push_back({near.index, sample, near.distance(), area_per_sample_});
+    }
+    return displaced(solved(pulls(matches, on_template, noise)));
   }
 
  private:
-  std::vector<Pull> pulls(const std::vector<Match>& matches, const VertexMap<Vec3>& normals,
+  std::vector<Pull> pulls(const std::vector<VertexMatch>& matches, const IndexedPoints& on_template,
                           double noise) const {
-    std::vector<double> distances;
-    distances.reserve(matches.size());
-    for (const Match& m : matches) distances.push_back(m.distance);
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    const double cut = options_.rejection * std::max(*middle, options_.least_median_mm);
-
+    const MatchScale scale{.noise_mm = noise, .cut_mm = match_cut(matches, options_.match)};
     std::vector<Pull> all;
     VertexMap<int> slot(surface_.vertex_count(), -1);
-    for (const Match& m : matches) {
-      if (m.distance >= cut) continue;
+    for (const VertexMatch& m : matches) {
+      if (m.distance >= scale.cut_mm) continue;
       const VertexId v(m.vertex);
-      const double ratio = m.distance / cut, tukey = (1 - ratio * ratio) * (1 - ratio * ratio);
-      // Half: both surfaces bring their matches.
-      const double weight = tukey * m.area / options_.independent_area_mm2 / (2 * noise * noise);
-      const Vec3 sum = normals[v] + m.on_shape.normal;
-      const Vec3 normal = sum.isZero(1e-9) ? m.on_shape.normal : Vec3(sum.normalized());
-      const Mat3 w = weight * ((1 - options_.tangential_share) * normal * normal.transpose() +
-                               options_.tangential_share * Mat3::Identity());
+      const Mat3 w = match_precision(m, on_template[m.vertex].normal, scale, options_.match);
       if (slot[v] < 0) {
         slot[v] = static_cast<int>(all.size());
         all.push_back({m.vertex});
       }
       Pull& pull = all[static_cast<std::size_t>(slot[v])];
       pull.weight += w;
-      pull.weighted_goal += w * (m.on_shape.position - surface_.position(v));
+      pull.weighted_goal += w * (m.partner.position - surface_.position(v));
     }
     return all;
   }
@@ -199,9 +136,10 @@ class Fit {
   const Eigen::MatrixXd& functions_;
   const DeformTemplateOptions& options_;
   PriorForm prior_;
-  MatchedShape shape_;
-  std::vector<int> vertices_;
-  double area_per_vertex_;
+  IndexedPoints shape_vertices_;
+  std::vector<OrientedPoint> shape_samples_;
+  std::vector<int> vertices_;  // of the template
+  double area_per_sample_, area_per_vertex_;
 };
 
 }  // namespace

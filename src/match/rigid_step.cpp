@@ -1,9 +1,12 @@
-#include "correspond/rigid_step.hpp"
+#include "match/rigid_step.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Cholesky>
+
+#include "foramen/match/robust_weight.hpp"
 
 namespace foramen::detail {
 namespace {
@@ -37,12 +40,11 @@ std::vector<double> tukey_weights(std::span<const Match> matches, double least_s
   std::vector<double> distances;
   distances.reserve(matches.size());
   for (const Match& m : matches) distances.push_back(m.distance);
-  const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), median, distances.end());
-  const double reach = tukey_cutoff * std::max(least_scale, median_to_deviation * *median);
+  const double deviation = median_to_deviation * upper_median(std::move(distances));
+  const double reach = tukey_cutoff * std::max(least_scale, deviation);
   std::vector<double> weights;
   weights.reserve(matches.size());
-  for (const Match& m : matches) weights.push_back(sq(std::max(0.0, 1 - sq(m.distance / reach))));
+  for (const Match& m : matches) weights.push_back(tukey_weight(sq(m.distance / reach)));
   return weights;
 }
 

@@ -1,4 +1,4 @@
-#include "foramen/correspond/displacement_prior.hpp"
+#include "foramen/match/displacement_prior.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-#include "foramen/correspond/smooth_displacements.hpp"
+#include "foramen/match/smooth_displacements.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,7 @@ void check(std::span<const Vec3> points, const SmoothDisplacementOptions& option
   const auto refuse = [](const std::string& what) { throw InvalidInput("smooth_displacements: " + what); };
   if (points.empty()) refuse("there are no points");
   if (options.scales.empty()) refuse("no scale is given");
-  for (const DisplacementScale& s : options.scales)
-    if (!(s.length_mm > 0 && s.amplitude_mm > 0)) refuse("lengths and amplitudes of scales must be > 0 mm");
-  if (!(options.shift_mm > 0 && options.linear_mm > 0)) refuse("shift_mm and linear_mm must be > 0");
-  if (!(options.left_out_mm > 0)) refuse("left_out_mm must be > 0");
-  if (options.most_functions < 1) refuse("most_functions must be at least 1");
+  check_options("smooth_displacements", options);
 }
 
 double covariance(const std::vector<DisplacementScale>& scales, double squared_distance) {
