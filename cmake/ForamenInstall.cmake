@@ -10,6 +10,7 @@ write_basic_package_version_file(foramenConfigVersion.cmake COMPATIBILITY SameMi
 install(FILES ${PROJECT_BINARY_DIR}/foramenConfig.cmake ${PROJECT_BINARY_DIR}/foramenConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/cmake/Findlibmd.cmake
         DESTINATION ${package_dir})
+install(FILES ${PROJECT_SOURCE_DIR}/include/foramen/foramen.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/foramen)
 # One export set a module, so that a consumer of `model` need not have what `io` links.
 foreach(module IN LISTS modules)
   install(EXPORT foramen-${module} NAMESPACE foramen:: FILE foramen-${module}.cmake DESTINATION ${package_dir})

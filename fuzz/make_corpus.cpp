@@ -6,7 +6,7 @@
 #include <string>
 
 #include "cli/bad_input/bad_shapes.hpp"
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/named_points.hpp"
@@ -102,7 +102,7 @@ void write_models(const fs::path& folder) {
   EvaluationOptions options;
   options.draws = 2;
   options.samples = options.specificity_samples = 20;
-  write_file(folder / "metrics.json", metrics_json(evaluate_model(cohort, options, RunContext(1))));
+  write_file(folder / "metrics.json", metrics_json(evaluate(cohort, options, RunContext(1))));
 }
 
 void write_exchange_files(const fs::path& folder) {

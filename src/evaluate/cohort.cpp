@@ -10,7 +10,6 @@
 namespace foramen {
 namespace {
 
-constexpr int fewest_shapes = 3;
 constexpr int every_mode_up_to = 20;
 
 void check_count(std::size_t found, std::size_t shapes, const char* what) {
@@ -28,6 +27,14 @@ Estimate estimate_of(const std::vector<ShapeError>& items, Value value) {
 }
 
 }  // namespace
+
+CorrespondingCohort corresponding_cohort(std::span<const Shape> shapes, const Landmarks& landmarks,
+                                         std::vector<std::string> subjects) {
+  CorrespondingCohort cohort{
+      landmarks.names, std::move(subjects), landmarks.mesh.triangles, landmarks.points, {}};
+  for (const std::string& name : landmarks.names) cohort.inputs.push_back(shape_named(shapes, name).mesh);
+  return cohort;
+}
 
 void check_cohort(const CorrespondingCohort& cohort) {
   const std::size_t shapes = cohort.corresponding.size();

@@ -77,7 +77,7 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
     write_true_landmarks(request.true_landmarks, cohort, *truth, ctx);
   }
 
-  EvaluatedFolder result{evaluate_model(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}};
+  EvaluatedFolder result{evaluate(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}};
   if (!request.output.empty()) {
     fs::create_directories(request.output);
     write_metrics(request.output, result.evaluation);

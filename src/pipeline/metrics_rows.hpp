@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 
 namespace foramen {
 

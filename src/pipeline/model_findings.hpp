@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 #include "foramen/report/report_page.hpp"
 
 namespace foramen {

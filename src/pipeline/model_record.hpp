@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 #include "foramen/pipeline/atlas_file.hpp"
 #include "foramen/pipeline/model_folder.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 #include "foramen/report/report_page.hpp"
 
 namespace foramen {

@@ -70,14 +70,11 @@ void remove_stale_files(const fs::path& folder, const std::vector<InputShape>& i
   remove_stale(folder / "modes", {});
 }
 
-CorrespondingCohort corresponding_cohort(const BuildRecord& record, const std::string& subject_pattern) {
-  const Landmarks& landmarks = record.built.landmarks;
-  CorrespondingCohort cohort{landmarks.names, {}, landmarks.mesh.triangles, landmarks.points, {}};
-  for (const InputShape& input : record.inputs) {
-    if (!subject_pattern.empty()) cohort.subjects.push_back(subject_of(input.stem, subject_pattern));
-    cohort.inputs.push_back(input.mesh);
-  }
-  return cohort;
+std::vector<std::string> subjects_of(const std::vector<InputShape>& inputs, const std::string& pattern) {
+  std::vector<std::string> subjects;
+  if (pattern.empty()) return subjects;
+  for (const InputShape& input : inputs) subjects.push_back(subject_of(input.stem, pattern));
+  return subjects;
 }
 
 std::vector<NamedErrorMap> error_maps_of(const Evaluation& evaluation) {
@@ -87,7 +84,7 @@ std::vector<NamedErrorMap> error_maps_of(const Evaluation& evaluation) {
   return maps;
 }
 
-// Adds what evaluate_model() cannot measure, since it takes whole builds.
+// Adds what evaluate() cannot measure, since it takes whole builds.
 void add_refits(Evaluation& evaluation, std::span<const Shape> shapes, const BuildOptions& options,
                 const RunContext& ctx) {
   const auto start = std::chrono::steady_clock::now();
@@ -157,15 +154,17 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const RunContext keeping = ctx.with_store(store);
   const BuildRecord record = build_from(std::move(read), request.build, keeping);
 
-  const CorrespondingCohort cohort = corresponding_cohort(record, request.subject_pattern);
+  const std::vector<Shape> shapes = surfaces_of(record.inputs);
+  const CorrespondingCohort cohort = corresponding_cohort(
+      shapes, record.built.landmarks, subjects_of(record.inputs, request.subject_pattern));
   EvaluationOptions evaluation_options = request.evaluation;
   evaluation_options.scale = request.build.model.scale;
   evaluation_options.weights = request.build.model.weights;
   evaluation_options.seed = request.build.landmarks.seed;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
-  Evaluation evaluation = evaluate_model(cohort, evaluation_options, keeping, truth ? &*truth : nullptr);
-  if (request.refit) add_refits(evaluation, surfaces_of(record.inputs), request.build, keeping);
+  Evaluation evaluation = evaluate(cohort, evaluation_options, keeping, truth ? &*truth : nullptr);
+  if (request.refit) add_refits(evaluation, shapes, request.build, keeping);
 
   ctx.step("write", 0);
   remove_stale_files(request.output, record.inputs);

@@ -41,4 +41,11 @@ BuiltModel build_model(std::span<const Shape> shapes, const BuildOptions& option
   return built;
 }
 
+TemplateSurface mean_surface(const BuiltModel& built) {
+  const LandmarkMesh& landmarks = built.landmarks.mesh;
+  return {build_mesh({unflattened(built.aligned.model.mean()), landmarks.triangles}),
+          {built.registration.frame.reference.shape_map.map.lattice, VertexMap<Vec2>(landmarks.turns),
+           landmarks.jumps}};
+}
+
 }  // namespace foramen

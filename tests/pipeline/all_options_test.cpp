@@ -6,7 +6,7 @@
 
 #include "foramen/apply/complete_surface.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 #include "foramen/extract/extract_label.hpp"
 #include "foramen/repair/repair_mesh.hpp"
 #include "foramen/stages/build_model.hpp"

@@ -20,7 +20,7 @@ const EvaluationOptions few_draws{.draws = 6, .samples = 200, .specificity_sampl
 Evaluation small_evaluation() {
   CorrespondingCohort cohort = testing::torus_cohort({.shapes = 5, .amplitude_mm = 5});
   cohort.corresponding[1][30] += 1.6 * (cohort.corresponding[1][38] - cohort.corresponding[1][30]);
-  return evaluate_model(cohort, few_draws, RunContext(2));
+  return evaluate(cohort, few_draws, RunContext(2));
 }
 
 void expect_same(const Estimate& a, const Estimate& b) {

@@ -137,7 +137,7 @@ TEST(CompareModels, ShowsDifferencesOfWhatIsPaired) {
       for (Vec3& p : shape) p += noise_mm * Vec3(rng.normal(), rng.normal(), rng.normal());
     std::filesystem::create_directories(folder.file(name));
     const EvaluationOptions quick{.draws = 5, .samples = 200, .specificity_samples = 50};
-    write_metrics(folder.file(name), evaluate_model(cohort, quick, RunContext(2)));
+    write_metrics(folder.file(name), evaluate(cohort, quick, RunContext(2)));
   };
   CorrespondingCohort cohort = testing::torus_cohort({.shapes = 4});
   write("one/model", cohort, 0);

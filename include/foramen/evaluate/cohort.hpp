@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/shape.hpp"
+#include "foramen/landmarks/place_landmarks.hpp"
 #include "foramen/model/landmark_weights.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/model/shape_model.hpp"
@@ -24,6 +26,11 @@ struct CorrespondingCohort {
   int size() const { return static_cast<int>(corresponding.size()); }
   int landmarks() const { return corresponding.empty() ? 0 : static_cast<int>(corresponding[0].size()); }
 };
+
+/// The shapes of a placement of landmarks. \param subjects  one per shape of it, or empty
+/// Throws InvalidInput if a shape is missing.
+CorrespondingCohort corresponding_cohort(std::span<const Shape> shapes, const Landmarks& landmarks,
+                                         std::vector<std::string> subjects = {});
 
 /// Throws InvalidInput, naming the shape, unless there are at least 3 shapes, all parts have one entry per
 /// shape, all shapes have the same number of landmarks, and the triangles form a manifold mesh of them.

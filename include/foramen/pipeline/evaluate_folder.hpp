@@ -6,7 +6,7 @@
 #include <string>
 
 #include "foramen/core/run_context.hpp"
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 
 namespace foramen {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 
 namespace foramen {
 

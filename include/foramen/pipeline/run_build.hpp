@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 #include "foramen/pipeline/build_record.hpp"
 
 namespace foramen {

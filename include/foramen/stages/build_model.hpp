@@ -36,4 +36,8 @@ struct BuiltModel {
 /// correspond(), place_landmarks() and build_shape_model(). Throws what these throw.
 BuiltModel build_model(std::span<const Shape> shapes, const BuildOptions& options, const RunContext& ctx);
 
+/// The mean of the model with its landmarks' map to the torus, to which new surfaces can be registered
+/// (MeanRegistrar).
+TemplateSurface mean_surface(const BuiltModel& built);
+
 }  // namespace foramen

@@ -1,4 +1,4 @@
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -31,8 +31,8 @@ bool can_leave_subjects_out(const CorrespondingCohort& cohort) {
 
 }  // namespace
 
-Evaluation evaluate_model(const CorrespondingCohort& cohort, const EvaluationOptions& options,
-                          const RunContext& ctx, const TrueCorrespondence* truth) {
+Evaluation evaluate(const CorrespondingCohort& cohort, const EvaluationOptions& options,
+                    const RunContext& ctx, const TrueCorrespondence* truth) {
   check_cohort(cohort);
   Evaluation e;
   e.options = options;

@@ -1,4 +1,4 @@
-#include "foramen/evaluate/evaluate_model.hpp"
+#include "foramen/evaluate/evaluate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -65,10 +65,10 @@ TEST(Compactness, OfWeightedLandmarksIsTheWeightedMeanVariance) {
   }
   EvaluationOptions options = quick;
   options.weights = LandmarkWeights::area;
-  const Evaluation e = evaluate_model(cohort, options, RunContext(2));
+  const Evaluation e = evaluate(cohort, options, RunContext(2));
   EXPECT_NEAR(e.total_variance, sum / weight, 1e-12);
   EXPECT_NEAR(e.compactness.back().variance_per_landmark, sum / weight, 1e-12);
-  EXPECT_NE(e.total_variance, evaluate_model(cohort, quick, RunContext(2)).total_variance);
+  EXPECT_NE(e.total_variance, evaluate(cohort, quick, RunContext(2)).total_variance);
 }
 
 TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
@@ -114,7 +114,7 @@ TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
 TEST(EvaluateModel, RunsEveryMeasureForItsModes) {
   const CorrespondingCohort cohort = torus_cohort({.shapes = 6});
   const TrueCorrespondence truth{cohort.triangles, cohort.corresponding};
-  const Evaluation e = evaluate_model(cohort, quick, RunContext(2), &truth);
+  const Evaluation e = evaluate(cohort, quick, RunContext(2), &truth);
   EXPECT_EQ(e.landmarks, 160);
   EXPECT_EQ(e.compactness.size(), 5u);
   EXPECT_NEAR(e.compactness.back().variance_per_landmark, e.total_variance, 1e-12);
@@ -134,10 +134,10 @@ TEST(EvaluateModel, RunsEveryMeasureForItsModes) {
 TEST(EvaluateModel, LeavesNoSubjectOutWhereThatIsImpossible) {
   CorrespondingCohort cohort = torus_cohort({.shapes = 3});
   cohort.subjects.clear();
-  EXPECT_FALSE(evaluate_model(cohort, quick, RunContext(1)).leave_subject_out.has_value());
+  EXPECT_FALSE(evaluate(cohort, quick, RunContext(1)).leave_subject_out.has_value());
   cohort.subjects = {"a", "a", "b"};
-  EXPECT_FALSE(evaluate_model(cohort, quick, RunContext(1)).leave_subject_out.has_value());
-  EXPECT_FALSE(evaluate_model(cohort, quick, RunContext(1)).truth.has_value());
+  EXPECT_FALSE(evaluate(cohort, quick, RunContext(1)).leave_subject_out.has_value());
+  EXPECT_FALSE(evaluate(cohort, quick, RunContext(1)).truth.has_value());
 }
 
 TEST(CheckCohort, NamesWhatDoesNotFit) {

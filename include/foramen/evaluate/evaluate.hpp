@@ -56,7 +56,7 @@ struct Evaluation {
   Generalization leave_one_out;
   std::optional<Generalization>
       leave_subject_out;  ///< unset: subjects not known, or fewer than 2, or too few shapes remain
-  /// Unset: not asked for (a build alone can make them, evaluate_model() does not).
+  /// Unset: not asked for (a build alone can make them, evaluate() does not).
   std::optional<RefitGeneralization> refit, refit_by_subject;
   Specificity specificity;
   std::vector<EnsembleAtModes> ensemble;
@@ -68,7 +68,7 @@ struct Evaluation {
 
 /// Every measure, as docs/evaluation.md defines it. Throws InvalidInput for fewer than 3 shapes or a cohort
 /// that does not fit together.
-Evaluation evaluate_model(const CorrespondingCohort& cohort, const EvaluationOptions& options,
-                          const RunContext& ctx, const TrueCorrespondence* truth = nullptr);
+Evaluation evaluate(const CorrespondingCohort& cohort, const EvaluationOptions& options,
+                    const RunContext& ctx, const TrueCorrespondence* truth = nullptr);
 
 }  // namespace foramen
