@@ -17,9 +17,9 @@
 #include "foramen/apply/project_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/pipeline/read_cohort.hpp"
-#include "foramen/pipeline/usable_model.hpp"
+#include "foramen/modelfiles/usable_model.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "foramen/topology/handle_loops.hpp"
 

@@ -31,7 +31,7 @@ function(foramen_add_module name)
   set_property(GLOBAL APPEND PROPERTY FORAMEN_MODULES ${name})
 
   # Those whose headers cost most and whose names do not clash.
-  set(together parameterize evaluate apply pipeline)
+  set(together parameterize evaluate apply modelfiles workflow)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(FORAMEN_BUILD_TESTS AND tests)
     add_executable(${name}_tests ${tests})

@@ -1,8 +1,8 @@
 // Any bytes, read as each file of a model: refused with one of our errors, or sound.
 #include "foramen/core/error.hpp"
 #include "foramen/io/statismo_file.hpp"
-#include "foramen/pipeline/atlas_file.hpp"
-#include "foramen/pipeline/metrics_file.hpp"
+#include "foramen/modelfiles/atlas_file.hpp"
+#include "foramen/modelfiles/metrics_file.hpp"
 #include "fuzz_input.hpp"
 
 namespace foramen {

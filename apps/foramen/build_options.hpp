@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "foramen/pipeline/run_build.hpp"
+#include "foramen/workflow/run_build.hpp"
 #include "label_options.hpp"
 #include "repair_options.hpp"
 

@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "command.hpp"
+#include "foramen/findings/compare_models.hpp"
 #include "foramen/io/atomic_file.hpp"
-#include "foramen/pipeline/compare_models.hpp"
 
 namespace foramen::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/statismo_file.hpp"
-#include "foramen/pipeline/completion.hpp"
-#include "foramen/pipeline/usable_model.hpp"
+#include "foramen/modelfiles/usable_model.hpp"
+#include "foramen/workflow/completion.hpp"
 #include "repair_options.hpp"
 
 namespace foramen::app {

@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 #include "described_option.hpp"
-#include "foramen/pipeline/evaluate_folder.hpp"
+#include "foramen/workflow/evaluate_folder.hpp"
 
 namespace foramen::app {
 namespace {

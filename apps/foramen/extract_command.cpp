@@ -1,7 +1,7 @@
 #include <iostream>
 #include <memory>
 
-#include "foramen/pipeline/run_extract.hpp"
+#include "foramen/workflow/run_extract.hpp"
 #include "label_options.hpp"
 #include "repair_options.hpp"
 

@@ -7,8 +7,8 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/pipeline/mesh_report_json.hpp"
-#include "foramen/pipeline/repair_record.hpp"
+#include "foramen/modelfiles/mesh_report_json.hpp"
+#include "foramen/modelfiles/repair_record.hpp"
 #include "foramen/repair/remove_handles.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 

@@ -5,9 +5,9 @@
 
 #include "command.hpp"
 #include "foramen/io/table_file.hpp"
-#include "foramen/pipeline/measure_shapes.hpp"
-#include "foramen/pipeline/measures_file.hpp"
-#include "foramen/pipeline/model_folder.hpp"
+#include "foramen/modelfiles/measures_file.hpp"
+#include "foramen/modelfiles/model_folder.hpp"
+#include "foramen/workflow/measure_shapes.hpp"
 #include "repair_options.hpp"
 
 namespace foramen::app {

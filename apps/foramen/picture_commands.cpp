@@ -5,8 +5,8 @@
 
 #include "command.hpp"
 #include "foramen/io/atomic_file.hpp"
-#include "foramen/pipeline/model_page.hpp"
-#include "foramen/pipeline/render_model.hpp"
+#include "foramen/pages/model_page.hpp"
+#include "foramen/pages/render_model.hpp"
 
 namespace foramen::app {
 namespace {

@@ -9,10 +9,10 @@
 #include "command.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
+#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/io/table_file.hpp"
-#include "foramen/pipeline/read_cohort.hpp"
-#include "foramen/pipeline/surface_projector.hpp"
+#include "foramen/workflow/surface_projector.hpp"
 #include "repair_options.hpp"
 
 namespace foramen::app {

@@ -9,7 +9,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/table_file.hpp"
-#include "foramen/pipeline/model_folder.hpp"
+#include "foramen/modelfiles/model_folder.hpp"
 
 namespace foramen::app {
 namespace {

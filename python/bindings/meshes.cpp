@@ -4,8 +4,8 @@
 
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/pipeline/mesh_report_json.hpp"
-#include "foramen/pipeline/repair_record.hpp"
+#include "foramen/modelfiles/mesh_report_json.hpp"
+#include "foramen/modelfiles/repair_record.hpp"
 #include "foramen/repair/repair_mesh.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "foramen/spatial/triangle_tree.hpp"

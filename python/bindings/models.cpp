@@ -7,7 +7,7 @@
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/pipeline/model_folder.hpp"
+#include "foramen/modelfiles/model_folder.hpp"
 
 namespace foramen::python {
 namespace {

@@ -1,6 +1,6 @@
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/pipeline/version.hpp"
+#include "foramen/modelfiles/version.hpp"
 
 namespace foramen::python {
 

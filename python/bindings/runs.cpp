@@ -6,12 +6,12 @@
 #include "build_options.hpp"
 #include "convert_options.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/findings/compare_models.hpp"
 #include "foramen/io/atomic_file.hpp"
-#include "foramen/pipeline/compare_models.hpp"
-#include "foramen/pipeline/evaluate_folder.hpp"
-#include "foramen/pipeline/model_page.hpp"
-#include "foramen/pipeline/render_model.hpp"
-#include "foramen/pipeline/run_extract.hpp"
+#include "foramen/pages/model_page.hpp"
+#include "foramen/pages/render_model.hpp"
+#include "foramen/workflow/evaluate_folder.hpp"
+#include "foramen/workflow/run_extract.hpp"
 
 namespace foramen::python {
 namespace {

@@ -8,11 +8,11 @@
 
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/pipeline/completion.hpp"
-#include "foramen/pipeline/measure_shapes.hpp"
-#include "foramen/pipeline/measures_file.hpp"
-#include "foramen/pipeline/read_cohort.hpp"
-#include "foramen/pipeline/surface_projector.hpp"
+#include "foramen/inputs/read_cohort.hpp"
+#include "foramen/modelfiles/measures_file.hpp"
+#include "foramen/workflow/completion.hpp"
+#include "foramen/workflow/measure_shapes.hpp"
+#include "foramen/workflow/surface_projector.hpp"
 
 namespace foramen::python {
 namespace {

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// A model built of read shapes, with where they come from.
+
+#include <string>
+#include <vector>
+
+#include "foramen/inputs/read_cohort.hpp"
+#include "foramen/stages/build_model.hpp"
+
+namespace foramen {
+
+struct BuildRecord {
+  std::vector<InputShape> inputs;  ///< of the model's shapes, in its order
+  std::vector<LeftOut> left_out;   ///< when reading or registering
+  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  BuiltModel built;
+};
+
+}  // namespace foramen

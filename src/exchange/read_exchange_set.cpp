@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <utility>
+
+#include "exchange/exchange_set.hpp"
+#include "foramen/core/error.hpp"
+#include "foramen/io/mesh_file.hpp"
+#include "foramen/io/named_points.hpp"
+#include "foramen/io/shapeworks_project.hpp"
+#include "foramen/modelfiles/atlas_file.hpp"
+#include "foramen/modelfiles/corresponding_folder.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+
+// From RAS to LPS and back: half a turn about the third axis.
+Eigen::Matrix4d half_turn() { return Eigen::Vector4d(-1, -1, 1, 1).asDiagonal(); }
+
+void turn(std::vector<Vec3>& points) {
+  for (Vec3& p : points) p = Vec3(-p.x(), -p.y(), p.z());
+}
+
+void turn(StatismoModel& model) {
+  turn(model.points);
+  for (Eigen::Index row = 0; row < model.mean.size(); ++row) {
+    if (row % 3 == 2) continue;
+    model.mean[row] = -model.mean[row];
+    model.basis.row(row) = -model.basis.row(row);
+  }
+}
+
+bool is_ras(const fs::path& mesh) {
+  return fs::exists(mesh) && read_mesh(mesh).space == AnatomicalSpace::ras;
+}
+
+// The training shapes of a model by their scores.
+void add_training_shapes(ExchangeSet& set) {
+  const StatismoModel& model = *set.model;
+  if (std::ssize(model.shape_uris) == model.scores.cols())
+    for (const std::string& uri : model.shape_uris) set.names.push_back(fs::path(uri).stem().string());
+  else
+    for (Eigen::Index i = 0; i < model.scores.cols(); ++i)
+      set.names.push_back("shape" + std::to_string(i + 1));
+  for (Eigen::Index i = 0; i < model.scores.cols(); ++i)
+    set.shapes.push_back(
+        unflattened(model.mean + model.basis * model.variance.cwiseSqrt().cwiseProduct(model.scores.col(i))));
+  set.to_common.assign(set.shapes.size(), Eigen::Matrix4d::Identity());
+  if (set.shapes.empty())
+    set.notes.emplace_back(
+        "the model holds no scores of its training shapes: only the model can be converted");
+  else
+    set.notes.emplace_back("shapes are the model's own of its training shapes, in the model's coordinates");
+}
+
+// Meshes, with those of RAS turned. Which these were is returned.
+std::vector<bool> read_meshes(ExchangeSet& set, const fs::path& folder, LengthUnit unit) {
+  CorrespondingFolder read = read_corresponding(folder, unit);
+  set.names = std::move(read.names);
+  set.shapes = std::move(read.shapes);
+  set.triangles = std::move(read.triangles);
+  std::vector<bool> turned;
+  for (std::size_t i = 0; i < read.spaces.size(); ++i) {
+    turned.push_back(read.spaces[i] == AnatomicalSpace::ras);
+    if (turned.back()) turn(set.shapes[i]);
+  }
+  const auto count = std::count(turned.begin(), turned.end(), true);
+  if (count > 0)
+    set.notes.push_back(std::to_string(count) + " of " + std::to_string(turned.size()) +
+                        " meshes are in RAS axes and were turned to LPS (x and y change sign)");
+  return turned;
+}
+
+// The transforms of a build, from turned shapes to the turned model.
+void add_transforms(ExchangeSet& set, const fs::path& atlas_file, const std::vector<bool>& turned,
+                    bool model_turned) {
+  const Atlas atlas = read_atlas(atlas_file);
+  for (std::size_t i = 0; i < set.names.size(); ++i) {
+    const auto found = std::find(atlas.names.begin(), atlas.names.end(), set.names[i]);
+    if (found == atlas.names.end())
+      throw InvalidInput(atlas_file.string() + ": has no shape " + set.names[i] +
+                         "; the model's folder holds files of different builds: build it again");
+    Eigen::Matrix4d transform = atlas.transforms[static_cast<std::size_t>(found - atlas.names.begin())];
+    if (turned[i]) transform = transform * half_turn();
+    if (model_turned) transform = half_turn() * transform;
+    set.to_common.push_back(transform);
+  }
+}
+
+ExchangeSet read_model_file(const fs::path& file) {
+  ExchangeSet set;
+  set.model = read_statismo(file);
+  set.triangles = set.model->triangles;
+  // Of a build; what `convert` writes into its folder is in LPS.
+  if (file.filename() == "model.h5" && is_ras(file.parent_path() / "mean.ply")) {
+    turn(*set.model);
+    set.notes.emplace_back("the model is in RAS axes and was turned to LPS (x and y change sign)");
+  }
+  return set;
+}
+
+ExchangeSet read_model_folder(const fs::path& folder, LengthUnit unit) {
+  ExchangeSet set = read_model_file(folder / "model.h5");
+  if (!fs::is_directory(folder / "corresponding")) {
+    add_training_shapes(set);
+    return set;
+  }
+  const std::vector<bool> turned = read_meshes(set, folder / "corresponding", unit);
+  if (set.model->scores.cols() != std::ssize(set.names) || set.triangles != set.model->triangles)
+    throw InvalidInput(folder.string() +
+                       ": corresponding/ and model.h5 are not of the same shapes; build the model again");
+  if (fs::exists(folder / "atlas.h5"))
+    add_transforms(set, folder / "atlas.h5", turned, is_ras(folder / "mean.ply"));
+  return set;
+}
+
+ExchangeSet read_points(std::vector<NamedPoints> specimens) {
+  ExchangeSet set;
+  for (NamedPoints& specimen : specimens) {
+    set.names.push_back(std::move(specimen.name));
+    set.shapes.push_back(std::move(specimen.points));
+  }
+  return set;
+}
+
+ExchangeSet read_project(const fs::path& file) {
+  ExchangeSet set;
+  for (const ShapeWorksSubject& subject : read_shapeworks(file)) {
+    if (subject.local_particles.empty())
+      throw InvalidInput(file.string() + ": the subject " + subject.name +
+                         " has no particles; optimise the project in ShapeWorks first");
+    set.names.push_back(subject.name);
+    set.shapes.push_back(read_particles(file.parent_path() / subject.local_particles));
+    set.to_common.emplace_back(subject.procrustes * subject.alignment);
+  }
+  return set;
+}
+
+ExchangeSet read_by_kind(const ConvertRequest& request) {
+  const fs::path& input = request.input;
+  if (!fs::exists(input)) throw IoError(input.string() + ": there is no such file or folder; check the name");
+  if (fs::is_directory(input)) {
+    if (fs::exists(input / "model.h5")) return read_model_folder(input, request.unit);
+    ExchangeSet set;
+    read_meshes(set, input, request.unit);
+    return set;
+  }
+  const std::string extension = input.extension().string();
+  if (extension == ".h5" || extension == ".json") {
+    if (request.unit != LengthUnit::millimetre)
+      throw InvalidInput(input.string() + ": a model is in mm; leave --units out");
+    ExchangeSet set = read_model_file(input);
+    add_training_shapes(set);
+    return set;
+  }
+  ExchangeSet set;
+  if (extension == ".swproj")
+    set = read_project(input);
+  else if (extension == ".tps")
+    set = read_points(read_tps(input));
+  else if (extension == ".csv")
+    set = read_points(read_landmark_table(input));
+  else
+    throw InvalidInput(input.string() +
+                       ": is none of what can be converted: a model's folder, .h5, .h5.json, a folder of "
+                       "corresponding meshes, .swproj, .tps, .csv");
+  const double millimetres = millimetres_per(request.unit);
+  for (auto& shape : set.shapes)
+    for (Vec3& p : shape) p *= millimetres;
+  for (Eigen::Matrix4d& transform : set.to_common) transform.topRightCorner<3, 1>() *= millimetres;
+  return set;
+}
+
+void add_triangles(ExchangeSet& set, const fs::path& mesh) {
+  TriangleSoup soup = read_mesh(mesh).soup;
+  if (!set.triangles.empty() || set.shapes.empty())
+    throw InvalidInput(mesh.string() + ": the input has its own triangles; leave --triangles out");
+  if (soup.points.size() != set.shapes.front().size())
+    throw InvalidInput(mesh.string() + ": has " + std::to_string(soup.points.size()) +
+                       " vertices, the shapes have " + std::to_string(set.shapes.front().size()) +
+                       " points; its vertices must be those points, in their order");
+  set.triangles = std::move(soup.triangles);
+}
+
+void check_names(const ConvertRequest& request, const ExchangeSet& set) {
+  std::vector<std::string> sorted = set.names;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twin != sorted.end())
+    throw InvalidInput(request.input.string() + ": two shapes have the name " + *twin + "; rename one");
+  for (std::size_t i = 0; i < set.names.size(); ++i) {
+    // A name becomes a file's: it must not lead elsewhere.
+    if (set.names[i].empty() || fs::path(set.names[i]).filename() != set.names[i] ||
+        set.names[i].front() == '.')
+      throw InvalidInput(request.input.string() + ": the name of shape " + std::to_string(i + 1) +
+                         " cannot be that of a file; rename it");
+    if (set.shapes[i].size() != set.shapes.front().size())
+      throw InvalidInput(request.input.string() + ": " + set.names[i] + " has " +
+                         std::to_string(set.shapes[i].size()) + " points, " + set.names.front() + " has " +
+                         std::to_string(set.shapes.front().size()) +
+                         "; corresponding shapes have the same number");
+  }
+}
+
+void note_sizes(ExchangeSet& set) {
+  int odd = 0;
+  for (const auto& shape : set.shapes) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : shape) box.extend(p);
+    const double diagonal = box.diagonal().norm();
+    odd += diagonal < smallest_diagonal_mm || diagonal > largest_diagonal_mm ? 1 : 0;
+  }
+  if (odd > 0)
+    set.notes.push_back(
+        std::to_string(odd) + " of " + std::to_string(set.shapes.size()) +
+        " shapes are not the size of a vertebra in mm; if the input has another unit, give it with "
+        "--units");
+}
+
+}  // namespace
+
+ExchangeSet read_exchange_set(const ConvertRequest& request) {
+  ExchangeSet set = read_by_kind(request);
+  if (!request.triangles.empty()) add_triangles(set, request.triangles);
+  check_names(request, set);
+  note_sizes(set);
+  return set;
+}
+
+}  // namespace foramen

@@ -1,0 +1,315 @@
+#include "foramen/inputs/read_cohort.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+#include <utility>
+#include <variant>
+
+#include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
+#include "foramen/core/parallel.hpp"
+#include "foramen/io/sha256.hpp"
+#include "foramen/topology/inspect_mesh.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_mesh_file(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto& known = mesh_extensions();
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += " " + word;
+  return text;
+}
+
+// Files that a folder may stand for.
+struct Kind {
+  const char* what;
+  bool meshes, label_maps;
+  bool includes(const fs::path& path) const {
+    return (meshes && is_mesh_file(path)) || (label_maps && is_label_map(path));
+  }
+  std::string extensions() const {
+    return (meshes ? joined(mesh_extensions()) : "") + (label_maps ? joined(label_map_extensions()) : "");
+  }
+};
+constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
+    shape_files{"mesh file and no label map", true, true};
+
+// std::filesystem reports through std::filesystem_error, which names no remedy.
+std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
+  std::error_code failed;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
+    if (entry->is_regular_file() && kind.includes(entry->path())) found.push_back(entry->path());
+  if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
+  if (found.empty()) {
+    throw InvalidInput(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
+                       kind.extensions() + ")");
+  }
+  return found;
+}
+
+std::string millimetres(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+void require_plausible_size(double diagonal, LengthUnit unit, bool unit_is_known) {
+  const double mm = diagonal * millimetres_per(unit);
+  if (mm >= smallest_diagonal_mm && mm <= largest_diagonal_mm) return;
+  std::string message =
+      "the bounding box has a diagonal of " + millimetres(mm) + " mm; a vertebra has 20 to 250 mm";
+  if (unit_is_known)
+    message += ": a part of one, or more than one";
+  else if (const auto likely = likely_unit(diagonal))
+    message += ": the file is probably in " + std::string(name(*likely)) + ", give --units " +
+               std::string(name(*likely));
+  else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm &&
+           diagonal <= largest_diagonal_mm)
+    message += ": the file is probably in mm, leave --units out";
+  throw InvalidInput(message);
+}
+
+TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
+  if (unit != LengthUnit::millimetre)
+    for (Vec3& p : soup.points) p *= millimetres_per(unit);
+  return soup;
+}
+
+// The shape that this one is a copy of; null if there is none.
+const InputShape* same_surface(const InputShape& shape, const std::vector<InputShape>& others) {
+  const auto found = std::find_if(others.begin(), others.end(), [&](const InputShape& other) {
+    const auto a = shape.mesh.positions(), b = other.mesh.positions();
+    return shape.mesh.triangles() == other.mesh.triangles() &&
+           std::equal(a.begin(), a.end(), b.begin(), b.end());
+  });
+  return found == others.end() ? nullptr : &*found;
+}
+
+// What names a file's shapes: equal ones clash. A label map's shapes have longer names than it.
+std::pair<std::string, bool> stem_of(const fs::path& file) {
+  const bool label_map = is_label_map(file);
+  return {label_map ? label_map_stem(file) : file.stem().string(), label_map};
+}
+
+std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind& kind) {
+  std::vector<fs::path> files;
+  for (const fs::path& input : inputs) {
+    std::error_code failed;
+    const fs::file_status status = fs::status(input, failed);
+    if (fs::is_directory(status)) {
+      const auto found = files_in_folder(input, kind);
+      files.insert(files.end(), found.begin(), found.end());
+    } else if (fs::exists(status)) {
+      files.push_back(input);
+    } else {
+      throw InvalidInput(input.string() + ": there is no such file or folder (" + failed.message() + ")");
+    }
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return std::pair(stem_of(a), a) < std::pair(stem_of(b), b);
+  });
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  for (std::size_t i = 1; i < files.size(); ++i)
+    if (stem_of(files[i]) == stem_of(files[i - 1]))
+      throw InvalidInput(
+          files[i - 1].string() + " and " + files[i].string() +
+          " have the same name without extension, which would name two shapes alike: rename one");
+  return files;
+}
+
+std::string source_text(const std::string& file_name, std::optional<int> label) {
+  return label ? file_name + ", label " + std::to_string(*label) : file_name;
+}
+
+void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
+                 const std::optional<RepairOptions>& repair, const RunContext& ctx, Cohort& cohort) {
+  std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
+  parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
+    const fs::path& file = files[static_cast<std::size_t>(i)];
+    auto& result = results[static_cast<std::size_t>(i)];
+    try {
+      result = read_shape(file, unit, repair, ctx.with_threads(1).without_progress());
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
+      result = LeftOut{file.stem().string(), file.filename().string(), {}, e.what()};
+    }
+  });
+  for (auto& result : results) {
+    auto* shape = std::get_if<InputShape>(&result);
+    if (shape == nullptr)
+      cohort.left_out.push_back(std::get<LeftOut>(std::move(result)));
+    else if (const InputShape* original = same_surface(*shape, cohort.shapes))
+      cohort.left_out.push_back({shape->stem, shape->file_name, shape->sha256,
+                                 "the same surface as " + source_of(*original) +
+                                     ", vertex by vertex; a model counts a shape once: remove the copy"});
+    else
+      cohort.shapes.push_back(std::move(*shape));
+  }
+}
+
+// Adds the labels of one label map after the other to a cohort, so that one at a time is in memory. Their
+// surfaces are made here, with the handles that noise of single voxels leaves: they are repaired whether or
+// not it is asked for.
+class LabelMapReader {
+ public:
+  LabelMapReader(const LabelRequest& request, const std::optional<RepairOptions>& repair, Cohort& cohort)
+      : request_(request), repair_(repair.value_or(RepairOptions{})), cohort_(cohort) {}
+
+  void read(const fs::path& file, const RunContext& ctx) {
+    const std::string name = file.filename().string();
+    LabelSurfaces labels;
+    try {
+      labels = extract_labels(file, request_, ctx);
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& e) {
+      cohort_.left_out.push_back({label_map_stem(file), name, {}, e.what()});
+      return;
+    }
+    for (const RefusedLabel& refused : labels.refused) {
+      cohort_.left_out.push_back({refused.stem, name, labels.sha256, refused.reason, refused.label});
+      if (refused.absent) absent_.emplace(refused.label, file.string() + ": " + refused.reason);
+    }
+    for (LabelSurface& label : labels.surfaces) {
+      present_.insert(label.label);
+      add(name, labels.sha256, label, ctx);
+    }
+    for (const RefusedLabel& refused : labels.refused)
+      if (!refused.absent) present_.insert(refused.label);
+    cohort_.notes.insert(cohort_.notes.end(), labels.notes.begin(), labels.notes.end());
+  }
+
+  // A label that was named singly and is nowhere is a mistake of the command.
+  void require_singles() const {
+    for (const auto& [label, reason] : absent_)
+      if (!present_.contains(label)) throw InvalidInput("--labels " + std::to_string(label) + ": " + reason);
+  }
+
+ private:
+  void add(const std::string& file_name, const std::string& sha256, LabelSurface& label,
+           const RunContext& ctx) {
+    InputShape shape;
+    shape.stem = label.stem;
+    shape.file_name = file_name;
+    shape.sha256 = sha256;
+    shape.label = label.label;
+    shape.extraction = label.extracted.report;
+    try {
+      cohort_.shapes.push_back(usable_shape(std::move(shape), std::move(label.extracted.surface),
+                                            LengthUnit::millimetre, repair_, ctx));
+    } catch (const InvalidInput& e) {
+      cohort_.left_out.push_back({label.stem, file_name, sha256, e.what(), label.label});
+    }
+  }
+
+  const LabelRequest& request_;
+  const std::optional<RepairOptions> repair_;
+  Cohort& cohort_;
+  std::map<int, std::string> absent_;
+  std::set<int> present_;
+};
+
+}  // namespace
+
+std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
+  return find_files(inputs, meshes_only);
+}
+
+std::vector<fs::path> find_shape_files(const std::vector<fs::path>& inputs) {
+  return find_files(inputs, shape_files);
+}
+
+std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
+  return find_files(inputs, label_maps_only);
+}
+
+std::string source_of(const InputShape& shape) { return source_text(shape.file_name, shape.label); }
+std::string source_of(const LeftOut& shape) { return source_text(shape.file_name, shape.label); }
+
+RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
+                            const RunContext& ctx) {
+  // Stray pieces may make it too large for a vertebra, but not so that another unit fits.
+  const double diagonal = inspect_mesh(raw).box.diagonal();
+  if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit, false);
+  RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);
+  require_plausible_size(bounding_box(repaired.mesh.positions()).diagonal() / millimetres_per(unit), unit,
+                         false);
+  return repaired;
+}
+
+InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
+                        const std::optional<RepairOptions>& repair, const RunContext& ctx) {
+  const MeshReport report = inspect_mesh(surface);
+  if (const auto obstacle = obstacle_to_model(report)) {
+    if (!repair) throw TopologyError(obstacle->finding + "; " + obstacle->remedy);
+    RepairedMesh repaired = repair_surface(std::move(surface), unit, *repair, ctx);
+    shape.repair = std::move(repaired.report);
+    shape.mesh = std::move(repaired.mesh);
+    return shape;
+  }
+  require_plausible_size(report.box.diagonal(), unit, shape.label.has_value());
+  shape.mesh = build_mesh(in_millimetres(std::move(surface), unit));
+  shape.was_inward = report.inward;
+  if (shape.was_inward) shape.mesh = reversed(shape.mesh);
+  return shape;
+}
+
+InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional<RepairOptions>& repair,
+                      const RunContext& ctx) {
+  InputShape shape;
+  shape.stem = file.stem().string();
+  shape.file_name = file.filename().string();
+  MeshFile read = read_mesh(file);
+  shape.sha256 = sha256_of_file(file);
+  shape.space = read.space.value_or(AnatomicalSpace::lps);
+  try {
+    return usable_shape(std::move(shape), std::move(read.soup), unit, repair, ctx);
+  } catch (const TopologyError& e) {
+    throw TopologyError(file.string() + ": " + e.what());
+  } catch (const InvalidInput& e) {
+    throw InvalidInput(file.string() + ": " + e.what());
+  }
+}
+
+Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx,
+                   const LabelRequest& labels, const std::optional<RepairOptions>& repair) {
+  Cohort cohort;
+  std::vector<fs::path> meshes;
+  LabelMapReader label_maps(labels, repair, cohort);
+  for (const fs::path& file : files) {
+    if (is_label_map(file))
+      label_maps.read(file, ctx);
+    else
+      meshes.push_back(file);
+  }
+  label_maps.require_singles();
+  read_meshes(meshes, unit, repair, ctx, cohort);
+  const auto by_stem = [](const auto& a, const auto& b) { return a.stem < b.stem; };
+  std::stable_sort(cohort.shapes.begin(), cohort.shapes.end(), by_stem);
+  std::stable_sort(cohort.left_out.begin(), cohort.left_out.end(), by_stem);
+  for (std::size_t i = 1; i < cohort.shapes.size(); ++i)
+    if (cohort.shapes[i].stem == cohort.shapes[i - 1].stem)
+      throw InvalidInput(source_of(cohort.shapes[i - 1]) + " and " + source_of(cohort.shapes[i]) +
+                         " would both be named " + cohort.shapes[i].stem +
+                         ": leave one out or rename its file");
+  return cohort;
+}
+
+}  // namespace foramen

@@ -1,0 +1,119 @@
+#include "foramen/modelfiles/metrics_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "foramen/core/error.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/torus_cohort.hpp"
+
+namespace foramen {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::TemporaryFolder;
+
+const EvaluationOptions few_draws{.draws = 6, .samples = 200, .specificity_samples = 50};
+
+Evaluation small_evaluation() {
+  CorrespondingCohort cohort = testing::torus_cohort({.shapes = 5, .amplitude_mm = 5});
+  cohort.corresponding[1][30] += 1.6 * (cohort.corresponding[1][38] - cohort.corresponding[1][30]);
+  return evaluate(cohort, few_draws, RunContext(2));
+}
+
+void expect_same(const Estimate& a, const Estimate& b) {
+  EXPECT_EQ(a.mean, b.mean);
+  EXPECT_EQ(a.standard_error, b.standard_error);
+}
+
+void expect_same_items(const Generalization& a, const Generalization& b) {
+  ASSERT_EQ(a.by_modes.size(), b.by_modes.size());
+  for (std::size_t k = 0; k < a.by_modes.size(); ++k) {
+    ASSERT_EQ(a.by_modes[k].items.size(), b.by_modes[k].items.size());
+    for (std::size_t i = 0; i < a.by_modes[k].items.size(); ++i) {
+      EXPECT_EQ(a.by_modes[k].items[i].hausdorff, b.by_modes[k].items[i].hausdorff);
+      EXPECT_EQ(a.by_modes[k].items[i].mean_surface, b.by_modes[k].items[i].mean_surface);
+      EXPECT_EQ(a.by_modes[k].items[i].landmark_rms, b.by_modes[k].items[i].landmark_rms);
+    }
+  }
+}
+
+TEST(MetricsFile, ReadsBackWhatItWrote) {
+  const TemporaryFolder folder;
+  const Evaluation written = small_evaluation();
+  write_metrics(folder.path(), written);
+  const Evaluation read = read_metrics(folder.path());
+  EXPECT_EQ(read.names, written.names);
+  EXPECT_EQ(read.total_variance, written.total_variance);
+  ASSERT_EQ(read.representation.shapes.size(), 5u);
+  ASSERT_GT(written.representation.shapes[1].self_intersections, 0);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const ShapeRepresentation &a = read.representation.shapes[i], &b = written.representation.shapes[i];
+    EXPECT_EQ(a.distance.mean, b.distance.mean);
+    EXPECT_EQ(a.opposing_mean, b.opposing_mean);
+    EXPECT_EQ(a.self_intersections, b.self_intersections);
+    EXPECT_EQ(a.input_self_intersections, b.input_self_intersections);
+  }
+  expect_same(read.representation.self_intersections, written.representation.self_intersections);
+  expect_same(read.representation.input_self_intersections, written.representation.input_self_intersections);
+  ASSERT_GT(written.drawn.opposing_mean.mean, 0);
+  expect_same(read.drawn.self_intersecting, written.drawn.self_intersecting);
+  expect_same(read.drawn.folded, written.drawn.folded);
+  expect_same(read.drawn.opposing_mean, written.drawn.opposing_mean);
+  EXPECT_TRUE(read.leave_one_out.by_modes[0].items.empty());
+}
+
+TEST(MetricsFile, ItemsOfShapesComeBackFromTheTable) {
+  const TemporaryFolder folder;
+  const Evaluation written = small_evaluation();
+  write_metrics(folder.path(), written);
+  const Evaluation read = read_metrics_of_shapes(folder.path());
+  expect_same_items(read.leave_one_out, written.leave_one_out);
+  ASSERT_TRUE(read.leave_subject_out.has_value());
+  expect_same_items(*read.leave_subject_out, *written.leave_subject_out);
+}
+
+TEST(MetricsFile, ARefitComesBackWithTheShapesThatEntered) {
+  const TemporaryFolder folder;
+  Evaluation written = small_evaluation();
+  EXPECT_THAT(metrics_json(written), ::testing::Not(HasSubstr("refit")));
+  const std::vector<std::string> entered{written.names[0], written.names[3]};
+  written.refit = RefitGeneralization{
+      {LeaveOut::shape, 4, over_shapes({{{3, 1, 2}, {2, 0.5, 1}}, {{5, 2, 3}, {4, 1.5, 2}}}, {1, 2})},
+      entered,
+      {{written.names[1], written.names[1], "no loops"}}};
+  write_metrics(folder.path(), written);
+  const Evaluation read = read_metrics_of_shapes(folder.path());
+  ASSERT_TRUE(read.refit);
+  EXPECT_FALSE(read.refit_by_subject);
+  EXPECT_EQ(read.refit->names, entered);
+  EXPECT_EQ(read.refit->generalization.groups, 4);
+  expect_same(read.refit->generalization.by_modes[1].hausdorff,
+              written.refit->generalization.by_modes[1].hausdorff);
+  expect_same_items(read.refit->generalization, written.refit->generalization);
+  ASSERT_EQ(read.refit->failures.size(), 1u);
+  EXPECT_EQ(read.refit->failures[0].reason, "no loops");
+}
+
+TEST(MetricsFile, ATableOfAnotherEvaluationIsRefused) {
+  const TemporaryFolder folder;
+  write_metrics(folder.path(), small_evaluation());
+  std::string table = testing::bytes_of(folder.file("metrics.csv"));
+  const std::size_t row = table.find("patient1_2,shape,2,generalization_mean_surface");
+  ASSERT_NE(row, std::string::npos);
+  table.erase(row, table.find('\n', row) + 1 - row);
+  folder.file("metrics.csv", table);
+  try {
+    read_metrics_of_shapes(folder.path());
+    FAIL() << "not refused";
+  } catch (const IoError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("no generalization_mean_surface of patient1_2 at 2 modes"));
+  }
+  std::filesystem::remove(folder.file("metrics.csv"));
+  EXPECT_THROW(read_metrics_of_shapes(folder.path()), IoError);
+}
+
+}  // namespace
+}  // namespace foramen

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// The family of support/torus_family.hpp as if it had been read from files.
+
+#include "foramen/workflow/build_from.hpp"
+#include "support/torus_family.hpp"
+
+namespace foramen::testing {
+
+inline InputShape input(const Shape& shape) {
+  InputShape input;
+  input.stem = shape.name;
+  input.file_name = std::string(shape.name).append(".ply");
+  input.mesh = shape.mesh;
+  return input;
+}
+
+inline Cohort read(const std::vector<Shape>& shapes) {
+  Cohort cohort;
+  for (const Shape& shape : shapes) cohort.shapes.push_back(input(shape));
+  return cohort;
+}
+
+/// A build of the family.
+inline BuildRecord family_build(const BuildOptions& options) {
+  return build_from(read(family()), options, RunContext(2));
+}
+
+}  // namespace foramen::testing
