@@ -5,10 +5,10 @@
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/inputs/read_cohort.hpp"
+#include "foramen/inputs/subject_of.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/modelfiles/corresponding_folder.hpp"
 #include "foramen/modelfiles/metrics_file.hpp"
-#include "foramen/workflow/run_build.hpp"
 
 namespace foramen {
 namespace {

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <fstream>
 #include <memory>
-#include <regex>
 #include <set>
 #include <utility>
 
 #include "foramen/core/error.hpp"
+#include "foramen/inputs/subject_of.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/modelfiles/corresponding_folder.hpp"
 #include "foramen/modelfiles/error_maps_file.hpp"
@@ -128,16 +128,6 @@ std::vector<std::string> notes_on(const BuildRecord& record, const Evaluation& e
 }
 
 }  // namespace
-
-std::string subject_of(const std::string& stem, const std::string& pattern) {
-  try {
-    std::smatch match;
-    if (!std::regex_search(stem, match, std::regex(pattern))) return stem;
-    return match.size() > 1 && match[1].matched ? match[1].str() : match[0].str();
-  } catch (const std::regex_error& e) {
-    throw InvalidInput("--subject-regex " + pattern + ": not a regular expression (" + e.what() + ")");
-  }
-}
 
 BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const auto start = std::chrono::steady_clock::now();

@@ -45,10 +45,10 @@ TEST(MatchPrecision, EndsAtTheCut) {
 }
 
 TEST(MatchOptions, AreRefusedOutOfTheirRangesInTheCallersName) {
-  EXPECT_NO_THROW(check_match_options({}, "somebody"));
+  EXPECT_NO_THROW(check_options("somebody", MatchOptions{}));
   const auto refused = [](const MatchOptions& options) {
     try {
-      check_match_options(options, "somebody");
+      check_options("somebody", options);
     } catch (const InvalidInput& error) {
       return std::string(error.what());
     }
@@ -58,9 +58,9 @@ TEST(MatchOptions, AreRefusedOutOfTheirRangesInTheCallersName) {
   EXPECT_THAT(refused({.normal_weight = -1}), HasSubstr("somebody: normal_weight"));
   EXPECT_THAT(refused({.tangential_share = 0}), HasSubstr("somebody: tangential_share"));
   EXPECT_THAT(refused({.tangential_share = 1.1}), HasSubstr("somebody: tangential_share"));
-  EXPECT_THAT(refused({.independent_area_mm2 = 0}), HasSubstr("somebody: independent_area_mm2"));
+  EXPECT_THAT(refused({.independent_area_mm2 = 0}), HasSubstr("somebody: independent_area"));
   EXPECT_THAT(refused({.rejection = 0}), HasSubstr("rejection"));
-  EXPECT_THAT(refused({.least_median_mm = 0}), HasSubstr("least_median_mm"));
+  EXPECT_THAT(refused({.least_median_mm = 0}), HasSubstr("least_median"));
 }
 
 TEST(TukeyWeight, FallsFromOneToNone) {

@@ -42,8 +42,4 @@ struct BuildSummary {
 /// errors of its stages.
 BuildSummary run_build(const BuildRequest& request, const RunContext& ctx);
 
-/// The subject of a shape: the pattern's first group (or whole match) in the stem; the stem itself if it does
-/// not match. Throws InvalidInput if the pattern is no regular expression.
-std::string subject_of(const std::string& stem, const std::string& pattern);
-
 }  // namespace foramen
