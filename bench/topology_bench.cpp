@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/topology/cut_open.hpp"
 #include "foramen/topology/linking.hpp"
 #include "foramen/topology/periods.hpp"
+#include "support/cut_open.hpp"
 #include "support/double_torus.hpp"
+#include "support/exhaustive_loops.hpp"
 
 namespace foramen {
 namespace {
@@ -60,7 +61,7 @@ void exhaustive_search(benchmark::State& state) {
   const Mesh mesh = bumpy_torus(state.range(0));
   const auto lengths = edge_lengths(mesh);
   for (auto _ : state)
-    benchmark::DoNotOptimize(shortest_loops_exhaustive(mesh, lengths, RunContext(threads)).length);
+    benchmark::DoNotOptimize(testing::shortest_loops_exhaustive(mesh, lengths, RunContext(threads)).length);
 }
 
 void cocycle_torus(benchmark::State& state) {
@@ -78,7 +79,7 @@ void seifert_matrix_torus(benchmark::State& state) {
 void cut_open_torus(benchmark::State& state) {
   const Mesh mesh = bumpy_torus(state.range(0));
   const LoopSystem loops = greedy_loops(mesh, VertexId(0), edge_lengths(mesh));
-  for (auto _ : state) benchmark::DoNotOptimize(cut_open(mesh, loops));
+  for (auto _ : state) benchmark::DoNotOptimize(testing::cut_open(mesh, loops));
 }
 
 BENCHMARK(greedy_loops_torus)->Apply(sizes);

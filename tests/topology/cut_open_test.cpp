@@ -1,4 +1,4 @@
-#include "foramen/topology/cut_open.hpp"
+#include "support/cut_open.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::size_t walked_length(const LoopSystem& loops) {
 }
 
 void expect_one_disk(const Mesh& mesh, const LoopSystem& loops) {
-  const CutMesh cut = cut_open(mesh, loops);
+  const CutMesh cut = testing::cut_open(mesh, loops);
   EXPECT_EQ(cut.disk.euler_characteristic(), 1);
   EXPECT_EQ(cut.disk.face_count(), mesh.face_count());
   ASSERT_EQ(cut.origin.size(), cut.disk.vertex_count());
@@ -91,7 +91,7 @@ class CutTorus : public ::testing::Test {
 TEST_F(CutTorus, AlongTwoLoopsThatMeetOnce) {
   const LoopSystem loops = with({m, e});
   expect_one_disk(mesh, loops);
-  const CutMesh cut = cut_open(mesh, loops);
+  const CutMesh cut = testing::cut_open(mesh, loops);
   EXPECT_EQ(cut.boundary.size(), static_cast<std::size_t>(2 * (around + tube)));  // a rectangle
   EXPECT_EQ(cut.disk.vertex_count(), mesh.vertex_count() + around + tube + 1);    // four copies of the corner
 }
@@ -129,15 +129,16 @@ TEST_F(CutTorus, AlongLoopsWithASpur) {
 }
 
 TEST_F(CutTorus, RefusesLoopsThatDoNotGenerate) {
-  EXPECT_THROW(cut_open(mesh, with({m})), TopologyError);  // an annulus is left
-  EXPECT_THROW(cut_open(mesh, with({m, m})), TopologyError);
+  EXPECT_THROW(testing::cut_open(mesh, with({m})), TopologyError);  // an annulus is left
+  EXPECT_THROW(testing::cut_open(mesh, with({m, m})), TopologyError);
   const FaceId f(40);
   const EdgeLoop round{Mesh::halfedge(f, 0), Mesh::halfedge(f, 1), Mesh::halfedge(f, 2)};
-  EXPECT_THROW(cut_open(mesh, with({m, e, round})), TopologyError);                     // two pieces
-  EXPECT_THROW(cut_open(mesh, LoopSystem{VertexId(0), {}, {}, {}, 0}), TopologyError);  // nothing is cut
+  EXPECT_THROW(testing::cut_open(mesh, with({m, e, round})), TopologyError);  // two pieces
+  EXPECT_THROW(testing::cut_open(mesh, LoopSystem{VertexId(0), {}, {}, {}, 0}),
+               TopologyError);  // nothing is cut
   LoopSystem elsewhere = with({m, e});
   elsewhere.basepoint = VertexId(2 * tube);
-  EXPECT_THROW(cut_open(mesh, elsewhere), TopologyError);
+  EXPECT_THROW(testing::cut_open(mesh, elsewhere), TopologyError);
 }
 
 }  // namespace

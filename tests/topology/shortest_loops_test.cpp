@@ -11,6 +11,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/topology/periods.hpp"
+#include "support/exhaustive_loops.hpp"
 #include "support/real_meshes.hpp"
 #include "topology/loop_fixtures.hpp"
 
@@ -193,7 +194,7 @@ TEST(ShortestLoops, AreAsShortAsExhaustiveSearchFinds) {
     const Mesh mesh = build_mesh(soup);
     SCOPED_TRACE(std::to_string(mesh.vertex_count()) + " vertices");
     const auto lengths = edge_lengths(mesh);
-    const LoopSystem expected = shortest_loops_exhaustive(mesh, lengths, ctx);
+    const LoopSystem expected = testing::shortest_loops_exhaustive(mesh, lengths, ctx);
     const auto result = shortest_loops(mesh, lengths, ctx);
     EXPECT_NEAR(result.system.length, expected.length, 1e-12 * expected.length);
     EXPECT_LE(result.evaluations, mesh.vertex_count());

@@ -53,9 +53,6 @@ ShortestLoopsResult shortest_loops(const Mesh& mesh, const EdgeMap<double>& leng
 EdgeLoop shortest_loop(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx,
                        const ShortestLoopsOptions& options = {});
 
-/// Exhaustive search: the slow, obvious oracle.
-LoopSystem shortest_loops_exhaustive(const Mesh& mesh, const EdgeMap<double>& lengths, const RunContext& ctx);
-
 /// Dijkstra by weights from one source; the parent halfedge of each vertex (invalid at the source).
 /// \pre closed mesh (throws TopologyError), weights >= 0.
 struct ShortestPaths {

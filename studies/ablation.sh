@@ -6,7 +6,7 @@ export LC_ALL=C  # a point in numbers
 
 usage() {
   cat <<'TEXT'
-usage: bench/ablation.sh [option VALUE ...] [COHORT ...]
+usage: studies/ablation.sh [option VALUE ...] [COHORT ...]
   COHORT                    folders with shapes/ and truth/, as `foramen synth` writes them; none: makes --seeds and
                             --free-seeds
   --seeds "201 202 203"     synthetic cohorts of four true modes; "" for none

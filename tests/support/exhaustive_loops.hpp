@@ -1,5 +1,7 @@
-// The oracle of shortest_loops: every basepoint, plain Dijkstra, plain Kruskal over all dual edges. It shares
-// no code with the search but greedy_loops for the answer itself.
+#pragma once
+/// \file
+/// The oracle of shortest_loops(): every basepoint, plain Dijkstra, plain Kruskal over all dual edges. It
+/// shares no code with the search but greedy_loops() for the answer itself.
 
 #include <algorithm>
 #include <utility>
@@ -8,8 +10,9 @@
 #include "foramen/core/parallel.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 
-namespace foramen {
-namespace {
+namespace foramen::testing {
+
+namespace detail {
 
 // Faces joined so far.
 class Groups {
@@ -37,7 +40,7 @@ class Groups {
   FaceMap<int> size_;
 };
 
-double system_length(const Mesh& mesh, VertexId basepoint, const EdgeMap<double>& lengths) {
+inline double system_length(const Mesh& mesh, VertexId basepoint, const EdgeMap<double>& lengths) {
   const ShortestPaths paths = shortest_paths(mesh, basepoint, lengths);
   EdgeMap<bool> in_tree(mesh.edge_count(), false);
   for (HalfedgeId h : paths.parent)
@@ -64,16 +67,17 @@ double system_length(const Mesh& mesh, VertexId basepoint, const EdgeMap<double>
   return total;
 }
 
-}  // namespace
+}  // namespace detail
 
-LoopSystem shortest_loops_exhaustive(const Mesh& mesh, const EdgeMap<double>& lengths,
-                                     const RunContext& ctx) {
+/// The shortest loops over all basepoints: slow and obvious.
+inline LoopSystem shortest_loops_exhaustive(const Mesh& mesh, const EdgeMap<double>& lengths,
+                                            const RunContext& ctx) {
   VertexMap<double> total(mesh.vertex_count());
   parallel_for(mesh.vertex_count(), ctx,
-               [&](int v) { total[VertexId(v)] = system_length(mesh, VertexId(v), lengths); });
+               [&](int v) { total[VertexId(v)] = detail::system_length(mesh, VertexId(v), lengths); });
   const auto best = std::min_element(total.begin(), total.end());
   if (best == total.end()) throw TopologyError("a system of loops needs a surface, found none");
   return greedy_loops(mesh, VertexId(static_cast<int>(best - total.begin())), lengths);
 }
 
-}  // namespace foramen
+}  // namespace foramen::testing

@@ -6,7 +6,7 @@ export LC_ALL=C  # a point in numbers
 
 usage() {
   cat <<'TEXT'
-usage: bench/cohort_growth.sh [option VALUE ...]
+usage: studies/cohort_growth.sh [option VALUE ...]
   --shapes "14 28 56"       cohorts of these numbers of shapes, of 10000 vertices; "" for none
   --vertices "2500 5000 10000 20000 40000"
                             cohorts of 4 shapes of these numbers of vertices; "" for none

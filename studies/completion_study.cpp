@@ -1,5 +1,5 @@
 // How well a model completes vertebrae that it has not seen and whose posterior elements are removed: a
-// Markdown row a shape and method. bench/completion.sh makes the models and runs this.
+// Markdown row a shape and method. studies/completion.sh makes the models and runs this.
 
 #include <algorithm>
 #include <array>

@@ -1,20 +1,34 @@
-#include "foramen/topology/cut_open.hpp"
+#pragma once
+/// \file
+/// The paper's cut of a surface along its loops: what rectangle maps and pairs of loops are checked with.
 
 #include <string>
+#include <vector>
 
 #include "foramen/core/error.hpp"
+#include "foramen/topology/shortest_loops.hpp"
 
-namespace foramen {
-namespace {
+namespace foramen::testing {
 
-EdgeMap<bool> walked_edges(const Mesh& mesh, const LoopSystem& loops) {
+/// The disk that is left when the edges of the loops are cut. Edges walked by several loops are cut once;
+/// loops that share a stretch (theta graphs) or retrace a spur are handled.
+struct CutMesh {
+  Mesh disk;                   ///< same faces in the same order, vertices doubled along the cut
+  VertexMap<VertexId> origin;  ///< per disk vertex: the vertex of the closed mesh
+  std::vector<HalfedgeId>
+      boundary;  ///< disk halfedges along the boundary, in order, starting at a copy of the basepoint
+};
+
+namespace detail {
+
+inline EdgeMap<bool> walked_edges(const Mesh& mesh, const LoopSystem& loops) {
   EdgeMap<bool> cut(mesh.edge_count(), false);
   for (const EdgeLoop& loop : loops.loops)
     for (HalfedgeId h : loop) cut[mesh.edge(h)] = true;
   return cut;
 }
 
-int piece_count(const Mesh& mesh, const EdgeMap<bool>& cut) {
+inline int piece_count(const Mesh& mesh, const EdgeMap<bool>& cut) {
   FaceMap<bool> reached(mesh.face_count(), false);
   std::vector<FaceId> stack;
   int pieces = 0;
@@ -46,7 +60,7 @@ struct Sectors {
   std::vector<VertexId> origin;
 };
 
-Sectors split_at(const Mesh& mesh, const EdgeMap<bool>& cut) {
+inline Sectors split_at(const Mesh& mesh, const EdgeMap<bool>& cut) {
   Sectors out{mesh.soup(), {}};
   for (VertexId v : mesh.vertices()) out.origin.push_back(v);
   for (VertexId v : mesh.vertices()) {
@@ -70,7 +84,7 @@ Sectors split_at(const Mesh& mesh, const EdgeMap<bool>& cut) {
 
 // A boundary vertex has one boundary halfedge that leaves it, so the boundary is followed from vertex to
 // vertex.
-std::vector<HalfedgeId> boundary_from(const Mesh& disk, VertexId start) {
+inline std::vector<HalfedgeId> boundary_from(const Mesh& disk, VertexId start) {
   std::vector<HalfedgeId> boundary;
   HalfedgeId h = disk.outgoing(start);
   do {
@@ -81,14 +95,15 @@ std::vector<HalfedgeId> boundary_from(const Mesh& disk, VertexId start) {
   return boundary;
 }
 
-}  // namespace
+}  // namespace detail
 
-CutMesh cut_open(const Mesh& mesh, const LoopSystem& loops) {
+/// \pre the loops generate: the complement is one disk (throws TopologyError otherwise).
+inline CutMesh cut_open(const Mesh& mesh, const LoopSystem& loops) {
   if (!mesh.is_closed())
     throw TopologyError("only a closed surface can be cut open, found one with boundary");
-  const EdgeMap<bool> cut = walked_edges(mesh, loops);
-  const int pieces = piece_count(mesh, cut);
-  Sectors sectors = split_at(mesh, cut);
+  const EdgeMap<bool> cut = detail::walked_edges(mesh, loops);
+  const int pieces = detail::piece_count(mesh, cut);
+  detail::Sectors sectors = detail::split_at(mesh, cut);
   CutMesh result{build_mesh(std::move(sectors.soup)), VertexMap<VertexId>(std::move(sectors.origin)), {}};
   // A connected surface whose Euler number is 1 is a disk.
   if (pieces != 1 || result.disk.euler_characteristic() != 1)
@@ -99,8 +114,8 @@ CutMesh cut_open(const Mesh& mesh, const LoopSystem& loops) {
   if (!loops.basepoint.valid() || loops.basepoint.index >= mesh.vertex_count() ||
       !result.disk.is_boundary(loops.basepoint))
     throw TopologyError("the basepoint of the loops is not on them");
-  result.boundary = boundary_from(result.disk, loops.basepoint);
+  result.boundary = detail::boundary_from(result.disk, loops.basepoint);
   return result;
 }
 
-}  // namespace foramen
+}  // namespace foramen::testing

@@ -6,7 +6,7 @@ export LC_ALL=C  # a point in numbers
 
 usage() {
   cat <<'TEXT'
-usage: bench/completion.sh [option VALUE ...] SHAPE...
+usage: studies/completion.sh [option VALUE ...] SHAPE...
   SHAPE...                  surfaces in LPS, named SUBJECT_LEVEL.ply
   --program FILE            foramen (default build/release/bin/foramen)
   --study FILE              completion_study (default build/release/bin/completion_study; needs -DFORAMEN_BUILD_BENCH=ON)
