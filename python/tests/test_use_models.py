@@ -234,9 +234,9 @@ def test_what_cannot_be_used_is_refused(built, model, surface, part, torus, tmp_
         model.project(foramen.Mesh(torus.points / 100, torus.triangles))
     with pytest.raises(foramen.InvalidInput, match="no vertebra's"):
         model.complete(foramen.Mesh(torus.points * 100, torus.triangles))
-    with pytest.raises(foramen.InvalidInput, match="noise_mm must be > 0"):
+    with pytest.raises(foramen.InvalidInput, match="noise is 0 mm; it must be > 0"):
         model.complete(part[1], noise_mm=0)
-    with pytest.raises(foramen.InvalidInput, match="beyond_modes must be >= 0"):
+    with pytest.raises(foramen.InvalidInput, match="beyond_modes is -1; it must be at least 0"):
         model.complete(part[1], beyond_modes=-1)
     with pytest.raises(foramen.InvalidInput, match="finite"):
         model.reconstruct([0, np.nan])
