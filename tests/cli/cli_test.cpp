@@ -84,59 +84,6 @@ TEST_F(Cli, InspectGivesAVerdictAFile) {
   EXPECT_THAT(refused.output, HasSubstr("NOT USABLE"));
 }
 
-TEST_F(Cli, BuildWritesTheFilesAndThreadsChangeNoByte) {
-  const fs::path one = folder() / "one", two = folder() / "two", again = folder() / "again";
-  const std::string shapes = (synth() / "shapes").string();
-  const Outcome built = run(small_build("--threads 1 " + shapes + " -o " + one.string()));
-  ASSERT_EQ(built.code, 0) << built.output;
-  ASSERT_EQ(run(small_build("--threads 2 " + shapes + " -o " + two.string())).code, 0);
-  ASSERT_EQ(run(small_build("--threads 2 " + shapes + " -o " + again.string())).code, 0);
-  const auto files = files_of(one);
-  for (const char* name : {"model.h5", "mean.ply", "corresponding/synth001.ply", "corresponding/synth004.ply",
-                           "modes/mode01_minus2sd.ply", "modes/mode01_plus2sd.ply", "atlas.h5", "scores.csv",
-                           "metrics.json", "metrics.csv", "error_maps.h5", "report.html"})
-    EXPECT_TRUE(files.contains(name)) << name;
-  for (const auto& [name, bytes] : files) {
-    EXPECT_TRUE(files_of(two).at(name) == bytes) << name << " differs between 1 and 2 threads";
-    EXPECT_TRUE(files_of(again).at(name) == bytes) << name << " differs from run to run";
-  }
-  const auto record = nlohmann::json::parse(bytes_of(one / "run.json"));
-  EXPECT_EQ(record.at("shapes").size(), 4u);
-  for (const auto& shape : record.at("shapes")) EXPECT_EQ(shape.at("certificate").at("flipped"), 0);
-
-  ASSERT_EQ(run("report " + two.string()).code, 0);
-  EXPECT_TRUE(files_of(two).at("report.html") == files.at("report.html")) << "report writes what build wrote";
-  const fs::path plain = folder() / "plain.html";
-  const Outcome reported =
-      run("report --plain --baseline " + two.string() + " " + one.string() + " -o " + plain.string());
-  ASSERT_EQ(reported.code, 0);
-  EXPECT_THAT(reported.output, HasSubstr("plain page, since"));
-  EXPECT_THAT(bytes_of(plain), HasSubstr("This is the plain page"));
-  EXPECT_THAT(bytes_of(plain), HasSubstr("baseline: two"));
-
-  EXPECT_EQ(run("sample " + one.string() + " -n 3 -o " + (folder() / "samples").string()).code, 0);
-  EXPECT_EQ(files_of(folder() / "samples").size(), 3u);
-  EXPECT_EQ(run("modes " + one.string() + " --sd 3 -o " + (folder() / "modes").string()).code, 0);
-  EXPECT_TRUE(fs::exists(folder() / "modes" / "mode01_plus3sd.ply"));
-  EXPECT_EQ(run("evaluate " + one.string() + " --samples 10 --shapes " + shapes + " --truth " +
-                (synth() / "truth").string())
-                .code,
-            0);
-  const Outcome compared =
-      run("compare " + one.string() + " " + two.string() + " -o " + (folder() / "compare").string());
-  EXPECT_EQ(compared.code, 0);
-  EXPECT_THAT(compared.output, HasSubstr("Specificity"));
-  EXPECT_TRUE(fs::exists(folder() / "compare" / "specificity.svg"));
-
-  const fs::path curves = folder() / "curves";
-  const Outcome rendered = run("render --only-curves --json " + one.string() + " --baseline " + two.string() +
-                               " -o " + curves.string());
-  ASSERT_EQ(rendered.code, 0) << rendered.output;
-  const auto written = nlohmann::json::parse(rendered.output).at("files");
-  EXPECT_TRUE(written.contains("specificity.pdf"));
-  EXPECT_EQ(files_of(curves).size(), written.size());
-}
-
 TEST_F(Cli, ARefitIsReportedInEveryFile) {
   const fs::path model = folder() / "refit";
   const Outcome built = run("build --method icp --refit --landmarks 400 --samples 5 " +

@@ -1,0 +1,138 @@
+#include "foramen/pipeline/evaluate_folder.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "foramen/core/error.hpp"
+#include "foramen/pipeline/corresponding_folder.hpp"
+#include "foramen/pipeline/metrics_file.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/torus_cohort.hpp"
+
+namespace foramen {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// A cohort as files: corresponding meshes in meshes/, the surfaces they were made from in surfaces/.
+class EvaluateFolder : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    cohort_ = testing::torus_cohort({.shapes = 4});
+    write(at("meshes"), cohort_.corresponding);
+    fs::create_directories(at("surfaces"));
+    for (std::size_t i = 0; i < 4; ++i)
+      write_ply(at("surfaces") / (cohort_.names[i] + ".ply"), cohort_.inputs[i].soup());
+  }
+  fs::path at(const std::string& name) const { return folder_.file(name); }
+  void write(const fs::path& folder, const std::vector<std::vector<Vec3>>& shapes) const {
+    fs::create_directories(folder);
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      write_ply(folder / (cohort_.names[i] + ".ply"), {shapes[i], cohort_.triangles});
+  }
+  EvaluateFolderRequest request() const {
+    EvaluateFolderRequest request;
+    request.corresponding = at("meshes");
+    request.options = {.draws = 4, .samples = 200, .specificity_samples = 50};
+    return request;
+  }
+  static EvaluatedFolder evaluated(const EvaluateFolderRequest& request) {
+    return evaluate_folder(request, RunContext(2));
+  }
+  static std::string refused(const EvaluateFolderRequest& request) {
+    try {
+      evaluated(request);
+    } catch (const InvalidInput& e) {
+      return e.what();
+    }
+    ADD_FAILURE() << "not refused";
+    return {};
+  }
+  const CorrespondingCohort& cohort() const { return cohort_; }
+
+ private:
+  testing::TemporaryFolder folder_;
+  CorrespondingCohort cohort_;
+};
+
+TEST_F(EvaluateFolder, IsEvaluateModelOfWhatTheFilesHold) {
+  EvaluateFolderRequest with_surfaces = request();
+  with_surfaces.shapes = at("surfaces");
+  const EvaluatedFolder found = evaluated(with_surfaces);
+  CorrespondingCohort same = cohort();
+  same.subjects.clear();
+  same.corresponding = read_corresponding(at("meshes")).shapes;
+  for (std::size_t i = 0; i < 4; ++i)
+    same.inputs[i] = build_mesh(read_mesh(at("surfaces") / (same.names[i] + ".ply")).soup);
+  EXPECT_EQ(found.json, metrics_json(evaluate_model(same, with_surfaces.options, RunContext(1))));
+  EXPECT_EQ(found.evaluation.names, cohort().names);
+  EXPECT_GT(found.evaluation.representation.mean_surface.mean, 0.01);
+  EXPECT_THAT(found.text, HasSubstr("4 shapes, 160 landmarks"));
+}
+
+TEST_F(EvaluateFolder, WithoutSurfacesTheMeshesStandForThemselves) {
+  const Evaluation e = evaluated(request()).evaluation;
+  EXPECT_LT(e.representation.hausdorff.mean, 1e-9);
+  EXPECT_FALSE(e.truth);
+  EXPECT_FALSE(e.leave_subject_out);
+}
+
+TEST_F(EvaluateFolder, AModelsFolderStandsForItsCorrespondingMeshes) {
+  fs::create_directories(at("model"));
+  fs::rename(at("meshes"), at("model") / "corresponding");
+  EvaluateFolderRequest of_model = request();
+  of_model.corresponding = at("model");
+  EXPECT_EQ(evaluated(of_model).evaluation.names, cohort().names);
+}
+
+TEST_F(EvaluateFolder, SubjectsAreReadFromTheNames) {
+  EvaluateFolderRequest by_subject = request();
+  by_subject.subject_pattern = "(patient[0-9]+)_.*";
+  const Evaluation e = evaluated(by_subject).evaluation;
+  EXPECT_EQ(e.subjects, cohort().subjects);
+  ASSERT_TRUE(e.leave_subject_out);
+  EXPECT_EQ(e.leave_subject_out->groups, 2);
+}
+
+TEST_F(EvaluateFolder, MetricsAreWrittenWhereTheyAreWanted) {
+  EvaluateFolderRequest written = request();
+  written.output = at("new") / "metrics";
+  const EvaluatedFolder found = evaluated(written);
+  EXPECT_EQ(read_metrics(written.output).total_variance, found.evaluation.total_variance);
+  EXPECT_TRUE(fs::exists(written.output / "metrics.csv"));
+}
+
+TEST_F(EvaluateFolder, TheTruthHasNoErrorAndItsLandmarksAreWritten) {
+  EvaluateFolderRequest with_truth = request();
+  with_truth.truth = at("meshes");
+  with_truth.true_landmarks = at("true");
+  const Evaluation e = evaluated(with_truth).evaluation;
+  ASSERT_TRUE(e.truth);
+  EXPECT_LT(e.truth->error.max, 1e-4) << "files are of single precision";
+  const CorrespondingFolder meshes = read_corresponding(at("meshes")), found = read_corresponding(at("true"));
+  EXPECT_EQ(found.names, meshes.names);
+  for (std::size_t s = 0; s < 4; ++s)
+    for (std::size_t i = 0; i < 160; ++i) EXPECT_LT((found.shapes[s][i] - meshes.shapes[s][i]).norm(), 1e-4);
+}
+
+TEST_F(EvaluateFolder, NamesWhatIsMissing) {
+  EvaluateFolderRequest without_truth = request();
+  without_truth.true_landmarks = at("true");
+  EXPECT_THAT(refused(without_truth), HasSubstr("truth"));
+  EXPECT_FALSE(fs::exists(at("true")));
+  EvaluateFolderRequest missing = request();
+  missing.shapes = at("surfaces");
+  fs::remove(at("surfaces") / (cohort().names[2] + ".ply"));
+  EXPECT_THAT(refused(missing), HasSubstr(cohort().names[2]));
+  EvaluateFolderRequest other = request();
+  write_ply(at("meshes") / (cohort().names[1] + ".ply"), testing::torus_soup(6, 5));
+  EXPECT_THAT(refused(other), HasSubstr(cohort().names[1]));
+}
+
+}  // namespace
+}  // namespace foramen
