@@ -1,4 +1,4 @@
-#include "foramen/pipeline/completion.hpp"
+#include "foramen/workflow/completion.hpp"
 
 #include <limits>
 #include <string>

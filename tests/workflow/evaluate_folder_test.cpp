@@ -1,4 +1,4 @@
-#include "foramen/pipeline/evaluate_folder.hpp"
+#include "foramen/workflow/evaluate_folder.hpp"
 
 #include <filesystem>
 #include <string>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
-#include "foramen/pipeline/corresponding_folder.hpp"
-#include "foramen/pipeline/metrics_file.hpp"
+#include "foramen/modelfiles/corresponding_folder.hpp"
+#include "foramen/modelfiles/metrics_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_cohort.hpp"
 
@@ -69,7 +69,7 @@ TEST_F(EvaluateFolder, IsEvaluateModelOfWhatTheFilesHold) {
   same.corresponding = read_corresponding(at("meshes")).shapes;
   for (std::size_t i = 0; i < 4; ++i)
     same.inputs[i] = build_mesh(read_mesh(at("surfaces") / (same.names[i] + ".ply")).soup);
-  EXPECT_EQ(found.json, metrics_json(evaluate_model(same, with_surfaces.options, RunContext(1))));
+  EXPECT_EQ(found.json, metrics_json(evaluate(same, with_surfaces.options, RunContext(1))));
   EXPECT_EQ(found.evaluation.names, cohort().names);
   EXPECT_GT(found.evaluation.representation.mean_surface.mean, 0.01);
   EXPECT_THAT(found.text, HasSubstr("4 shapes, 160 landmarks"));

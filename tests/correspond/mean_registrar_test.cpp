@@ -1,14 +1,14 @@
-#include "foramen/groupwise/mean_registrar.hpp"
+#include "foramen/correspond/mean_registrar.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include <gtest/gtest.h>
 
+#include "correspond/knobbly_family.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
-#include "groupwise/knobbly_family.hpp"
 
 namespace foramen {
 namespace {

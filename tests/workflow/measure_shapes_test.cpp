@@ -1,4 +1,4 @@
-#include "foramen/pipeline/measure_shapes.hpp"
+#include "foramen/workflow/measure_shapes.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,13 +1,13 @@
-#include "foramen/groupwise/mean_template.hpp"
+#include "foramen/correspond/mean_template.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "correspond/knobbly_family.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/resample/torus_grid.hpp"
+#include "foramen/sampling/torus_grid.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
-#include "groupwise/knobbly_family.hpp"
 
 namespace foramen {
 namespace {

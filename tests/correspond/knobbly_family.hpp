@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "resample/mapped_tori.hpp"
+#include "sampling/mapped_tori.hpp"
+#include "support/meshes.hpp"
 
 namespace foramen::testing {
 

@@ -1,4 +1,4 @@
-#include "foramen/pipeline/surface_projector.hpp"
+#include "foramen/workflow/surface_projector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "correspond/knobbly_family.hpp"
 #include "foramen/core/error.hpp"
-#include "groupwise/knobbly_family.hpp"
 
 namespace foramen {
 namespace {
@@ -24,7 +24,7 @@ UsableModel model_of_members() {
   model.landmarks = {mean.map.turns.values(), mean.mesh.triangles(), mean.map.jumps};
   model.lattice = mean.map.lattice;
   model.aligned.alignment = procrustes(shapes, ScaleMode::keep);
-  model.aligned.model = build_shape_model(model.aligned.alignment.aligned, model.landmarks.triangles);
+  model.aligned.model = model_of_aligned(model.aligned.alignment.aligned, model.landmarks.triangles);
   return model;
 }
 

@@ -1,4 +1,4 @@
-#include "foramen/pipeline/corresponding_folder.hpp"
+#include "foramen/modelfiles/corresponding_folder.hpp"
 
 #include <string>
 
