@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is done to each shape of a group by itself.
+/// The steps that register one shape of a group.
 
 #include <memory>
 #include <span>
@@ -22,7 +22,7 @@ struct PreparedTemplate {
   PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options);
 };
 
-/// What the steps make of a shape, one after another: all that is kept of a finished step.
+/// The state of a shape after a step. It is all that a store keeps of the step.
 struct MemberState {
   RegisteredShape result;
   OptimisedMap map;  // of the working mesh
@@ -42,30 +42,32 @@ struct Member : MemberState {
 /// The motion of a fit that kept the scale.
 RigidTransform rigid(const SimilarityTransform& transform);
 
-/// The steps of register_group() for one shape, on one thread. All of them need of other shapes only the
-/// template.
+/// The steps of register_group() for one shape, on one thread. They know the other shapes only through the
+/// template and the prior.
 class MemberSteps {
  public:
   MemberSteps(const Reference& reference, const RunContext& ctx, const RegisterGroupOptions& options)
       : reference_(reference), single_(ctx.with_threads(1)), options_(options) {}
 
   WorkingMesh simplified(const Mesh& input) const;
-  /// The first map, from the rigid alignment to the reference, and its registration to the first template.
-  /// \pre the working mesh is there
-  /// \param prior  of the template's displacement onto it, if anything is known
+  /// Computes the first map, starting from the rigid alignment with the reference, and optimises it towards the
+  /// first template. \pre the working mesh is there
+  /// \param prior  of the template's displacement onto the shape; the smooth process by default
   void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to,
              const DisplacementPrior& prior = {}) const;
-  /// Another template's vertices where the map has the corresponding points. \pre to_template is up to date
+  /// Places the vertices of another template on the shape, where the map has the corresponding points.
+  /// \pre to_template is up to date
   void place(Member& member, const PreparedTemplate& to) const;
-  /// Once more, to the template that was placed. \param prior  of its displacement onto the shape
+  /// Bends the template that was placed and optimises the map again.
+  /// \param prior  of the template's displacement onto the shape
   void again(Member& member, const PreparedTemplate& to, const DisplacementPrior& prior) const;
-  /// A round by itself: the shape is aligned by where its map has these turns to where the template has them,
-  /// the template placed there and bent again.
+  /// A round for a shape outside the group. The points of the shape at these torus positions are aligned with
+  /// those of the template; then the template is placed and bent, and the map optimised again.
   void newcomer_round(Member& member, std::span<const Vec2> turns, std::span<const Vec3> on_template,
                       const PreparedTemplate& to, const DisplacementPrior& prior) const;
-  /// The map alone, drawn to what the template bent last (or the description length) says.
+  /// Optimises the map alone, towards the template as it was bent last, or towards the attractor.
   void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
-  /// From the working mesh to the input, with all checks: fills the result.
+  /// Carries the map from the working mesh to the input mesh, with all checks, and fills the result.
   void finish(Member& member, const PreparedTemplate& to) const;
 
  private:

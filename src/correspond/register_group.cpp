@@ -84,12 +84,14 @@ class GroupRegistrar {
     StageKey to_last(ctx_, "group's template", to_reference, options_of_later(options_));
     std::unique_ptr<PreparedTemplate> mean;
     GroupTemplate& group = result_.last_template;
-    // What the other shapes tell in the first round they have from maps made without it.
+    // In the first round the prior comes from maps that were computed without it, so a second round is always
+    // made.
     const int least_rounds = options_.bending == Bending::cohort ? 2 : 1;
     for (int round = 0; round < options_.round_limit; ++round) {
       MeanTemplate next = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
-      // A mean that stands still is no one's template: what is bent stays in the frame of the one before.
+      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes are
+      // still in the old template's frame.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
       to_last = StageKey(ctx_, "group's mean", all_made_from(), options_.mean, options_of_later(options_));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the shapes of a cohort tell of the displacement onto one more.
+/// The prior of the displacement onto a shape, learnt from the other shapes of its cohort.
 
 #include <span>
 #include <vector>
@@ -34,27 +34,31 @@ void describe(Visitor& visit, MaybeConst<CohortPriorOptions> auto& o) {
          .meaning = "least share of the smooth process's variance that is left to what no other shape does"});
 }
 
-/// What all shapes tell, from which the priors are made when they are needed: together they would grow with
-/// the square of the number of shapes.
+/// The coefficients of all shapes. The prior of one shape is made from them when it is needed, since the priors
+/// of all shapes together would grow with the square of their number.
 struct CohortPriors {
-  Eigen::MatrixXd coefficients;  ///< a column per shape; empty: too few shapes to teach anything
+  Eigen::MatrixXd coefficients;  ///< a column per shape; empty: fewer than 3 shapes
   double unexplained_share = 1;  ///< see cohort_priors()
 
   DisplacementPrior of_member(int shape) const;  ///< from the others
   DisplacementPrior of_newcomer() const;         ///< from all
 };
 
-/// For every shape the distribution of its displacement as the other shapes have it: mean and covariance of
-/// the others' coefficients, plus the smooth process with its variance times the part of a shape that the
-/// others do not explain, \f$ v = \sum_i |a_i - \hat a_i|^2 / \sum_i |a_i - m_i|^2 \f$, m_i the others' mean
-/// and \f$ \hat a_i \f$ the least-squares fit of a_i by their span (and at most 1). Where shapes vary in few
-/// ways, what slides along a featureless wall slides as in the other shapes; where each is a case of its own,
-/// v is near 1 and the smooth process decides as before. Coefficients are the most probable ones given the
-/// points and the smooth process.
+/// The prior of shape i is a normal distribution. Its mean is the mean of the other shapes' coefficients. Its
+/// covariance is that of the other shapes' coefficients plus the smooth process times the share v that the
+/// other shapes do not explain,
+/// \f$ v = \sum_i |a_i - \hat a_i|^2 / \sum_i |a_i - m_i|^2 \f$, at most 1, where
+///
+/// - \f$ a_i \f$ are the coefficients of shape i: the most probable ones given its points and the smooth process,
+/// - \f$ m_i \f$ is the mean of the other shapes' coefficients,
+/// - \f$ \hat a_i \f$ is the least-squares fit of \f$ a_i \f$ by the other shapes' coefficients.
+///
+/// If the shapes vary in few ways, v is small, and points on a featureless wall are placed as on the other
+/// shapes. If each shape differs in its own way, v is near 1, and the smooth process decides.
 ///
 /// \param functions  of smooth_displacements() at the template's vertices
-/// \param corresponding  per shape, where it has the template's vertices, in the template's frame. Fewer than
-/// 3 shapes teach nothing: the smooth process for all. Throws InvalidInput for numbers that do not fit.
+/// \param corresponding  per shape, where it has the template's vertices, in the template's frame. With fewer
+/// than 3 shapes the prior is the smooth process. Throws InvalidInput for numbers that do not fit.
 CohortPriors cohort_priors(const Mesh& surface, const Eigen::MatrixXd& functions,
                            std::span<const std::vector<Vec3>> corresponding,
                            const CohortPriorOptions& options = {});

@@ -10,13 +10,13 @@
 
 namespace foramen {
 
-/// The mean of a model, with its landmarks' torus map, in the place of both reference and template: its loops
-/// are found (shortest over all basepoints) and the map brought to their basis. Made once, for any number of
-/// surfaces; const calls may run in parallel.
+/// Registers surfaces to the mean of a model, which takes the place of both the reference and the template. The
+/// shortest loops of the mean are found, and its torus map is expressed in their basis. One registrar serves any
+/// number of surfaces; const calls may run in parallel.
 class MeanRegistrar {
  public:
   /// \param mean  landmarks and their map to the torus  \param training  the model's shapes in its own
-  /// coordinates: what they tell of a newcomer's displacement, see CohortPriors::of_newcomer
+  /// coordinates, from which the prior of a new surface's displacement is learnt (CohortPriors::of_newcomer)
   /// Throws TopologyError if the mean is not closed and of genus 1; InvalidInput for numbers that do not fit.
   MeanRegistrar(const TemplateSurface& mean, std::span<const std::vector<Vec3>> training,
                 const RunContext& ctx, const RegisterGroupOptions& options = {});
@@ -24,10 +24,9 @@ class MeanRegistrar {
   MeanRegistrar(MeanRegistrar&&) noexcept;
   MeanRegistrar& operator=(MeanRegistrar&&) noexcept;
 
-  /// Where a closed surface of genus 1, in any pose, has the landmarks, in its own coordinates. As a member
-  /// of a group in register_group(): aligned, the mean bent onto it, loops and first map, one round with what
-  /// the training shapes tell, the map carried to the surface itself, with all checks. On one thread. Throws
-  /// TopologyError or ConvergenceError with the reason if any check fails.
+  /// The landmarks on a closed surface of genus 1 in any pose, in the surface's own coordinates. The surface
+  /// is registered as a member of a group is in register_group(), with one round and with all checks. Runs on
+  /// one thread. Throws TopologyError or ConvergenceError with the reason if any check fails.
   std::vector<Vec3> landmarks_on(const Mesh& surface, const RunContext& ctx) const;
 
  private:

@@ -31,10 +31,10 @@ struct EnumWords<DistortionMeasure> {
 
 /// How the template is brought onto a shape before targets are sought on it.
 enum class Bending {
-  cohort,  ///< deform_template(); from the first round with a mean on with what the other shapes tell:
-           ///< cohort_priors()
-  smooth,  ///< deform_template(), each shape by itself
-  rigid,   ///< aligned only
+  cohort,  ///< deform_template(). From the first round with a mean on, the prior of a shape's displacement is
+           ///< learnt from the other shapes: cohort_priors().
+  smooth,  ///< deform_template() with the smooth process as prior, for each shape by itself
+  rigid,   ///< the template is only aligned with the shape
 };
 template <>
 struct EnumWords<Bending> {
@@ -135,26 +135,28 @@ struct GroupRegistration {
   std::vector<double> description_lengths;  ///< before each of the rounds by it, and after the last
 };
 
-/// Registers all shapes with each other.
+/// Registers all shapes with each other, in three parts.
 ///
-/// First each shape by itself: rigid alignment to the reference, the reference bent onto it
-/// (deform_template()), loops and first map by the reference's (first_map(), compared where the shape would
-/// lie if it were bent back), and the map that brings every vertex to its place on the reference
-/// (SurfaceTargets) with the least distortion of the map shape -> reference, without a flipped triangle. Then
-/// rounds with the Procrustes mean of all shapes as template, so that no shape is the favourite. In the end
-/// each map is carried to the shape's input mesh, optimised there and certified; its homology is checked anew
-/// (require_reference_homology()) and its direction compared with the reference's (map_agreement()).
+/// 1. Each shape is registered to the reference by itself. It is aligned rigidly, and the reference is bent
+///    onto it (deform_template()). The reference's loops are carried to the shape and give it a first map
+///    (first_map()); for this, the shape is moved to where it would lie if the bending were undone. Then the
+///    map is optimised: every vertex is drawn to its place on the reference (SurfaceTargets), the distortion
+///    of the map shape -> reference is kept low, and no triangle is flipped.
+/// 2. Rounds follow in which the Procrustes mean of all shapes is the template, so that the reference is a
+///    shape like the others. In each round the template is bent and the map optimised again.
+/// 3. Each map is carried to the input mesh of its shape, optimised there and certified. Its homology is
+///    checked anew (require_reference_homology()), and its direction is compared with that of the reference's
+///    map (map_agreement()).
 ///
-/// A shape that fails a check is left out, with the reason, and the rest go on. The reference is a shape like
-/// the others once the mean is the template.
+/// A shape that fails a check is left out with the reason, and the rest go on.
 GroupRegistration register_group(const std::vector<Mesh>& shapes, const Reference& reference,
                                  int reference_index, const RunContext& ctx,
                                  const RegisterGroupOptions& options = {});
 
-/// Registers one more shape to a group that stays as it is: as a member, but to the group's last template
-/// only, for as many rounds as the members had. On one thread.
-/// \param reference  the group's, with the map it was given or the one it has in the group
-/// \param options  the group's
+/// Registers one more shape to a group, which does not change. The steps are those of a member, but every
+/// round uses the group's last template. There are as many rounds as the members had. Runs on one thread.
+/// \param reference  that of the group, with the map it was given or the one it ended with
+/// \param options  those of the group
 /// Throws TopologyError or ConvergenceError with the reason if any check fails; InvalidInput for
 /// description_rounds > 0.
 RegisteredShape register_to_group(const Mesh& shape, const Reference& reference, const GroupTemplate& group,

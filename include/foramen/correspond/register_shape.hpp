@@ -51,8 +51,8 @@ struct Reference {
   const Mesh& mesh() const { return loops.mesh; }
 };
 
-/// Loops over all basepoints, first map, minimal distortion with free lattice. The lattice found is that of
-/// all shapes.
+/// Finds the shortest loops of the reference over all basepoints, computes its first map, and minimises the
+/// distortion with the lattice free. The lattice that is found is that of all shapes.
 Reference map_reference(const Mesh& mesh, const RunContext& ctx, const RegisterOptions& options = {});
 
 struct RegisteredShape {
@@ -63,9 +63,9 @@ struct RegisteredShape {
   Vec2 agreement = Vec2::Zero();                       ///< see map_agreement()
 };
 
-/// Aligns the shape, carries the loops over, maps it to the reference's torus and minimises E_cor + lambda
-/// E_deg. Throws TopologyError or ConvergenceError with the reason if any check fails: Seifert test,
-/// agreement of the maps, certificate.
+/// Aligns the shape with the reference, carries the reference's loops to it, maps it to the reference's torus
+/// and minimises E_cor + lambda E_deg. Throws TopologyError or ConvergenceError with the reason if a check fails:
+/// the Seifert test of the first map, the certificate of the finished map, its homology or its direction.
 RegisteredShape register_shape(const Mesh& shape, const Reference& reference, const RunContext& ctx,
                                const RegisterOptions& options = {});
 
