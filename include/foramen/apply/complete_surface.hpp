@@ -33,12 +33,12 @@ void describe(Visitor& visit, MaybeConst<CompleteSurfaceOptions> auto& o) {
                      .range = above(0),
                      .meaning = "standard deviation of the surface about the shape"});
   visit(o.match, {.name = "match"});
-  visit(
-      o.beyond_modes,
-      {.name = "beyond_modes",
-       .range = at_least(0),
-       .meaning =
-           "variance of smooth displacements that no mode has, as a share of the prior's; 0: the modes alone"});
+  visit(o.beyond_modes,
+        {.name = "beyond_modes",
+         .range = at_least(0),
+         .meaning =
+             "variance of smooth displacements that no mode has, as a share of the prior's; 0: the modes "
+             "alone"});
   visit(o.smooth, {.name = "smooth"});
   visit(o.pose, {.name = "pose"});
 }

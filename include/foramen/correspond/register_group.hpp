@@ -73,11 +73,11 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
   visit(o.edge_cost, {.name = "edge_cost", .meaning = "cost of an edge when loops are carried to a shape"});
   visit(o.distortion, {.name = "distortion",
                        .meaning = "where distortion is measured: on the template, or in the flat torus"});
-  visit(
-      o.bending,
-      {.name = "bending",
-       .meaning =
-           "how the template is brought onto a shape: bent, with what the other shapes tell or each by itself, or only aligned"});
+  visit(o.bending,
+        {.name = "bending",
+         .meaning =
+             "how the template is brought onto a shape: bent, with what the other shapes tell or each by "
+             "itself, or only aligned"});
   visit(o.round_limit,
         {.name = "rounds",
          .range = at_least(0).up_to(100),
@@ -86,12 +86,12 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
                      .unit = "mm",
                      .range = at_least(0),
                      .meaning = "RMS motion of the mean below which the rounds end"});
-  visit(
-      o.metric_updates,
-      {.name = "metric_updates",
-       .range = at_least(1),
-       .meaning =
-           "optimisations of a map in a round, each with the template's metric where the last one left the map"});
+  visit(o.metric_updates,
+        {.name = "metric_updates",
+         .range = at_least(1),
+         .meaning =
+             "optimisations of a map in a round, each with the template's metric where the last one left the "
+             "map"});
   visit(o.description_rounds,
         {.name = "description_rounds",
          .range = at_least(0),

@@ -34,7 +34,8 @@ void describe(Visitor& visit, MaybeConst<CurvatureDensityOptions> auto& o) {
       {.name = "curvature_radius",
        .range = above(0),
        .meaning =
-           "standard deviation of the kernel that averages the curvature tensor, relative to the square root of the surface's area"});
+           "standard deviation of the kernel that averages the curvature tensor, relative to the square root "
+           "of the surface's area"});
 }
 
 /// \f$ ((|K| + H^2) / 2)^{contrast} \f$ per vertex, \cite fuhrmann2010, clamped at the 99 % quantile of the
