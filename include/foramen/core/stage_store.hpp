@@ -57,8 +57,7 @@ class StageKey {
 template <class Archive>
 void transfer(Archive& archive, MaybeConst<StageKey> auto& key) {
   static_assert(!Archive::reads, "a key is made, never read");
-  std::string text = key.text();
-  archive(text);
+  archive(key.text());
 }
 
 namespace detail {
