@@ -30,8 +30,7 @@ Vec2 require_map_like_reference(const Mesh& input, const RigidTransform& to_refe
   const TorusMap& reference_map = reference.shape_map.map;
   require_reference_homology(input, map, reference_map.turns[reference.loops.loops.basepoint],
                              reference.loops.seifert);
-  const Vec2 agreement =
-      map_agreement(transformed(input, to_reference), map, reference.mesh(), reference_map);
+  Vec2 agreement = map_agreement(transformed(input, to_reference), map, reference.mesh(), reference_map);
   if (agreement.minCoeff() <= 0)
     throw TopologyError(
         "the map of this shape runs against the reference's (the loops' directions disagree)");
