@@ -222,7 +222,10 @@ it('shows no empty frame while the window changes its size', () =>
       const { frames } = await seen();
       await page.setViewportSize({ width, height: 800 });
       // A slow machine shows both canvases later, not at once: every size is waited for.
-      await page.waitForFunction((before) => (window as unknown as { seen: { frames: number } }).seen.frames > before, frames);
+      await page.waitForFunction(
+        (before) => (window as unknown as { seen: { frames: number } }).seen.frames > before,
+        frames,
+      );
       await settle(page);
     }
     expect((await seen()).empty).toBe(0);
