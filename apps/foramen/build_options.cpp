@@ -3,64 +3,21 @@
 #include "described_option.hpp"
 
 namespace foramen::app {
-namespace {
-
-constexpr int description_rounds = 3;
-
-}  // namespace
 
 void BuildFlags::add_to(CLI::App& command) {
-  add_described(command, "--method", correspondence, "method");
-  objective_option = add_choice<ObjectiveChoice>(
-      command, "--objective", objective,
-      {{"surface", ObjectiveChoice::surface},
-       {"neighbours", ObjectiveChoice::neighbours},
-       {"description", ObjectiveChoice::description}},
-      "what draws the maps together: points of the bent mean's surface, the paper's soft neighbours, or the "
-      "surface and then the description length");
-  group_options = {add_described(command, "--rounds", correspondence, "group.rounds"),
-                   add_described(command, "--distortion", correspondence, "group.distortion"),
-                   add_described(command, "--bending", correspondence, "group.bending")};
-  add_described(command, "--reference", correspondence, "reference");
-  lambda_option = add_described(command, "--lambda", overrides, "lambda")->default_str("the objective's own");
-  CLI::Option* count = add_described(command, "--landmarks", landmarks, "landmarks");
-  add_described(command, "--target-error", landmarks, "target_error")->excludes(count);
-  add_described(command, "--samples", evaluation, "draws");
-  add_described(command, "--seed", evaluation, "seed");
-  add_described(command, "--scale", evaluation, "scale");
-  add_described(command, "--weights", evaluation, "landmark_weights");
-  command.add_option("--subject-regex", subject_pattern,
-                     "the part of a file name that names its subject (first group, or all)");
-  command.add_flag("--paper", paper, "the paper's own choices throughout");
-  map_option = add_described(command, "--initial-map", overrides, "initial_map");
-  optimiser_option = add_described(command, "--optimiser", overrides, "optimiser");
+  const auto added = add_choices(command, choices, default_choices());
+  added.at("lambda")->default_str("the objective's own");
+  added.at("target_error")->excludes(added.at("landmarks"));
 }
 
 BuildOptions BuildFlags::resolved() const {
-  BuildOptions options{correspondence, landmarks, {evaluation.scale, evaluation.weights}};
-  options.landmarks.scale = evaluation.scale;
-  options.landmarks.seed = evaluation.seed;
-  CorrespondOptions& how = options.correspondence;
-  if (paper) {
-    how.registration = paper_options();
-    how.objective = Objective::neighbours;
+  try {
+    return build_options(choices);
+  } catch (const ChoiceWithoutEffect& e) {
+    throw CLI::ValidationError(
+        flag_of(e.name()),
+        "has no effect with --method icp, --objective neighbours or --paper; leave it out");
   }
-  if (objective_option->count() > 0) {
-    how.objective = objective == ObjectiveChoice::neighbours ? Objective::neighbours : Objective::surface;
-    if (objective == ObjectiveChoice::description) how.group.description_rounds = description_rounds;
-  }
-  // The two weights have different units, so only that of the objective in use is meant.
-  if (lambda_option->count() > 0)
-    (registered_together(how) ? how.group.lambda : how.registration.lambda) = overrides.lambda;
-  if (map_option->count() > 0) how.registration.initial_map = how.group.initial_map = overrides.initial_map;
-  if (optimiser_option->count() > 0) how.registration.optimiser = overrides.optimiser;
-  if (!registered_together(how))
-    for (const CLI::Option* option : group_options)
-      if (option->count() > 0)
-        throw CLI::ValidationError(
-            option->get_name(),
-            "has no effect with --method icp, --objective neighbours or --paper; leave it out");
-  return options;
 }
 
 void BuildArguments::add_to(CLI::App& command) {
@@ -96,11 +53,11 @@ BuildRequest BuildArguments::request(const std::vector<std::string>& inputs, con
   request.truth = truth;
   if (repair) request.repair = repair_options;
   request.build = flags.resolved();
-  request.evaluation = flags.evaluation;
+  request.evaluation = evaluation_options(flags.choices);
   request.refit = refit;
   request.resume = resume;
   request.store = store;
-  request.subject_pattern = flags.subject_pattern;
+  request.subject_pattern = flags.choices.subject_regex.value_or("");
   request.canonical_command = canonical_command;
   return request;
 }

@@ -1,44 +1,31 @@
 #pragma once
 /// \file
-/// The options of a build, which `build`, `demo` and the Python package share.
+/// The options of a build, which `build` and `demo` share.
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "command.hpp"
+#include "foramen/workflow/build_choices.hpp"
 #include "foramen/workflow/run_build.hpp"
 #include "label_options.hpp"
 #include "repair_options.hpp"
 
 namespace foramen::app {
 
-/// What --objective takes.
-enum class ObjectiveChoice { surface, neighbours, description };
-
+/// The flags of a build's choices.
 struct BuildFlags {
-  CorrespondOptions correspondence;
-  PlaceLandmarksOptions landmarks;
-  EvaluationOptions evaluation;  ///< its scale, weights and seed are those of all stages
-  std::string subject_pattern;
-  bool paper = false;
-  RegisterOptions overrides;  ///< what --lambda, --initial-map and --optimiser say
-  ObjectiveChoice objective = ObjectiveChoice::surface;
-  CLI::Option *objective_option = nullptr, *lambda_option = nullptr, *map_option = nullptr,
-              *optimiser_option = nullptr;
-  std::vector<CLI::Option*> group_options;  // of no effect unless shapes are registered as a group
+  BuildChoices choices;
 
   void add_to(CLI::App& command);
-  /// --paper sets the paper's choices; what was given by name overrides them. Throws CLI::ValidationError for
-  /// an option that would have no effect. \pre the command line is parsed
+  /// Throws CLI::ValidationError for a flag that would have no effect. \pre the command line is parsed
   BuildOptions resolved() const;
 };
 
-/// All that decides what a build gives, beside its inputs: `build` of the program and of the Python package.
+/// All that decides what a build gives, beside its inputs.
 struct BuildArguments {
   BuildFlags flags;
   LabelFlags label_flags;

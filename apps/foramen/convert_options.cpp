@@ -2,22 +2,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "described_option.hpp"
+
 namespace foramen::app {
 
 void add_convert_options(CLI::App& command, ConvertRequest& request) {
-  add_choice<std::optional<ExchangeFormat>>(
-      command, "--to", request.format,
-      {{"h5", ExchangeFormat::statismo},
-       {"h5.json", ExchangeFormat::scalismo_json},
-       {"swproj", ExchangeFormat::shapeworks},
-       {"tps", ExchangeFormat::tps},
-       {"csv", ExchangeFormat::landmark_table},
-       {"scores", ExchangeFormat::score_table},
-       {"ply", ExchangeFormat::ply},
-       {"vtp", ExchangeFormat::vtp},
-       {"landmarks", ExchangeFormat::scalismo_landmarks}},
-      "what to write, where the extension does not say it: scores (.csv); "
-      "ply, vtp, landmarks (of Scalismo): folders");
+  detail::add_field(command, "--to", request.format,
+                    {.meaning = "what to write, where the extension does not say it: scores (.csv); "
+                                "ply, vtp, landmarks (of Scalismo): folders"});
   add_choice<LengthUnit>(command, "--units", request.unit,
                          {{"mm", LengthUnit::millimetre},
                           {"cm", LengthUnit::centimetre},

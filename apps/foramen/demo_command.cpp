@@ -26,7 +26,7 @@ int demo(const DemoCommand& command) {
   request.output = folder / "model";
   request.truth = folder / "truth";
   request.build = command.build;
-  request.evaluation = command.flags.evaluation;
+  request.evaluation = evaluation_options(command.flags.choices);
   request.canonical_command = "foramen demo";
   const int code = finish_build(request, console, true);
   console.say((folder / "model" / "report.html").string());
@@ -37,7 +37,7 @@ int demo(const DemoCommand& command) {
 
 void add_demo(CLI::App& program, Run& run) {
   auto options = std::make_shared<DemoCommand>();
-  options->flags.evaluation.draws = 100;  // a tenth of a build's: the demo is to take about a minute
+  options->flags.choices.samples = 100;  // a tenth of a build's: the demo is to take about a minute
   CLI::App* command = program.add_subcommand(
       "demo", "a synthetic cohort, its model and report: needs no input, ends with the report's path");
   command->footer("Example:\n  foramen demo -n 8");
@@ -46,7 +46,7 @@ void add_demo(CLI::App& program, Run& run) {
   command->add_option("-o,--output", options->output, "folder to write")->capture_default_str();
   add_console_options(*command, options->console);
   command->callback([options, &run] {
-    options->synth.seed = options->flags.evaluation.seed;
+    options->synth.seed = evaluation_options(options->flags.choices).seed;
     options->build = options->flags.resolved();
     run = [options] { return demo(*options); };
   });

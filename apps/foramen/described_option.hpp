@@ -2,9 +2,13 @@
 /// \file
 /// Flags of the command line made from described options (core/options.hpp).
 
+#include <algorithm>
 #include <charconv>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "command.hpp"
 #include "foramen/core/options.hpp"
@@ -26,14 +30,24 @@ inline CLI::Validator within(const OptionRange& range) {
 }
 
 template <class Field>
+struct ValueOf {
+  using Type = Field;
+};
+template <class Value>
+struct ValueOf<std::optional<Value>> {
+  using Type = Value;
+};
+
+template <class Field>
 CLI::Option* add_field(CLI::App& command, const std::string& flag, Field& field, const OptionText& text) {
+  using Value = typename ValueOf<Field>::Type;
   std::string help(text.meaning);
   if (!text.unit.empty()) help += " [" + std::string(text.unit) + "]";
-  if constexpr (std::is_same_v<Field, bool>) {
+  if constexpr (std::is_same_v<Value, bool>) {
     return command.add_flag(flag, field, help);
-  } else if constexpr (std::is_enum_v<Field>) {
+  } else if constexpr (std::is_enum_v<Value>) {
     std::map<std::string, Field> choices;
-    for (const auto& [word, value] : EnumWords<Field>::all) choices.emplace(word, value);
+    for (const auto& [word, value] : EnumWords<Value>::all) choices.emplace(word, value);
     return add_choice<Field>(command, flag, field, choices, help);
   } else {
     CLI::Option* option = command.add_option(flag, field, help);
@@ -42,7 +56,49 @@ CLI::Option* add_field(CLI::App& command, const std::string& flag, Field& field,
   }
 }
 
+/// What the help shows as the default of an option that may be unset.
+template <class Field>
+std::string shown_default(const Field& field) {
+  if constexpr (foramen::detail::is_optional<Field>) {
+    return field ? shown_default(*field) : std::string();
+  } else if constexpr (std::is_enum_v<Field>) {
+    return std::string(word_of(field));
+  } else if constexpr (std::is_same_v<Field, std::string>) {
+    return field;
+  } else {
+    return CLI::detail::to_string(field);
+  }
+}
+
 }  // namespace detail
+
+/// "target_error" as "--target-error".
+inline std::string flag_of(std::string_view name) {
+  std::string flag = "--" + std::string(name);
+  std::replace(flag.begin() + 2, flag.end(), '_', '-');
+  return flag;
+}
+
+/// Adds a flag for every choice of a struct whose options may be unset, named as the choice is. The help
+/// shows the choices that are already set, and else these defaults.
+template <DescribedOptions Choices>
+std::map<std::string, CLI::Option*> add_choices(CLI::App& command, Choices& choices,
+                                                const Choices& defaults) {
+  std::map<std::string, std::string> shown;
+  const auto show = [&](const std::string& path, const auto& field, const OptionText&) {
+    if (const std::string text = detail::shown_default(field); !text.empty()) shown[path] = text;
+  };
+  for_each_option(defaults, show);
+  for_each_option(std::as_const(choices), show);
+  std::map<std::string, CLI::Option*> added;
+  for_each_option(choices, [&](const std::string& path, auto& field, const OptionText& text) {
+    CLI::Option* option = detail::add_field(command, flag_of(path), field, text);
+    using Field = std::remove_reference_t<decltype(field)>;
+    if constexpr (!std::is_same_v<Field, bool>) option->default_str(shown[path]);
+    added.emplace(path, option);
+  });
+  return added;
+}
 
 /// Adds the flag for the option of this path. Its help, its default and the check of its range come from the
 /// description.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "foramen/extract/extract_labels.hpp"
+#include "foramen/workflow/label_choices.hpp"
 
 namespace foramen::app {
 
@@ -19,10 +19,7 @@ class LabelFlags {
   std::optional<LabelRequest> resolved() const;
 
  private:
-  std::string labels_, names_file_;
-  LabelNumbering numbering_ = LabelNumbering::verse;
-  ExtractOptions surface_;
-  std::vector<CLI::Option*> options_;
+  LabelChoices choices_;
 };
 
 }  // namespace foramen::app

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -12,6 +13,8 @@
 
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/run_context.hpp"
+#include "foramen/core/shape.hpp"
+#include "foramen/correspond/correspond.hpp"
 #include "foramen/io/mesh_file.hpp"
 
 namespace foramen::python {
@@ -38,11 +41,27 @@ std::string text_of(const nlohmann::ordered_json& value);
 void run_unlocked(int threads, const py::object& progress,
                   const std::function<void(const RunContext&)>& work);
 
+/// (N, P, 3) of shapes with the same number of points, and back. Throws InvalidInput for another shape.
+py::array_t<double> shapes_array(const std::vector<std::vector<Vec3>>& shapes);
+std::vector<std::vector<Vec3>> shapes_of(const PointArray& points);
+
+/// Surfaces from Python that passed the audit of a build's input, and those that did not.
+struct GivenShapes {
+  std::vector<Shape> shapes;
+  std::vector<AnatomicalSpace> spaces;  ///< one per shape
+  std::vector<FailedShape> refused;
+};
+
 void add_errors(py::module_& module);
+void add_options(py::module_& module);
 void add_meshes(py::module_& module);
 void add_models(py::module_& module);
 /// \pre add_models()
 void add_model_uses(py::module_& module);
+/// \pre add_model_uses()
+void add_stages(py::module_& module);
+/// \pre add_stages()
+void add_evaluation(py::module_& module);
 void add_runs(py::module_& module);
 
 }  // namespace foramen::python

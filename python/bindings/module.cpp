@@ -1,3 +1,7 @@
+#include <chrono>
+#include <future>
+#include <thread>
+
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/modelfiles/version.hpp"
@@ -34,6 +38,33 @@ TriangleArray triangles_array(const std::vector<std::array<int, 3>>& triangles) 
   return out;
 }
 
+py::array_t<double> shapes_array(const std::vector<std::vector<Vec3>>& shapes) {
+  const std::size_t points = shapes.empty() ? 0 : shapes.front().size();
+  py::array_t<double> out(
+      {static_cast<py::ssize_t>(shapes.size()), static_cast<py::ssize_t>(points), py::ssize_t{3}});
+  double* value = out.mutable_data();
+  for (const auto& shape : shapes) {
+    FORAMEN_ASSERT(shape.size() == points);
+    for (const Vec3& p : shape) value = std::copy(p.begin(), p.end(), value);
+  }
+  return out;
+}
+
+std::vector<std::vector<Vec3>> shapes_of(const PointArray& points) {
+  if (points.ndim() != 3 || points.shape(2) != 3)
+    throw InvalidInput("points must be an array of shape (N, P, 3)");
+  std::vector<std::vector<Vec3>> shapes(static_cast<std::size_t>(points.shape(0)));
+  const double* value = points.data();
+  for (auto& shape : shapes) {
+    shape.resize(static_cast<std::size_t>(points.shape(1)));
+    for (Vec3& p : shape) {
+      p = Eigen::Map<const Vec3>(value);
+      value += 3;
+    }
+  }
+  return shapes;
+}
+
 AnatomicalSpace space_of(const std::string& name) {
   if (name == "LPS") return AnatomicalSpace::lps;
   if (name == "RAS") return AnatomicalSpace::ras;
@@ -46,20 +77,49 @@ std::string text_of(const nlohmann::ordered_json& value) {
   return value.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+namespace {
+
+// How often the interpreter is asked whether the user has pressed Ctrl-C.
+constexpr std::chrono::milliseconds between_signals(50);
+
+// Does the work on a thread of its own and calls look() from time to time until it is done. Throws what the
+// work throws.
+void run_beside(const std::function<void()>& work, const std::function<void()>& look) {
+  std::packaged_task<void()> task(work);
+  std::future<void> done = task.get_future();
+  std::thread worker(std::move(task));
+  while (done.wait_for(between_signals) != std::future_status::ready) look();
+  worker.join();
+  done.get();
+}
+
+}  // namespace
+
 void run_unlocked(int threads, const py::object& progress,
                   const std::function<void(const RunContext&)>& work) {
-  std::exception_ptr raised;  // by the callback, or by Ctrl-C; one thread at a time calls it
+  std::exception_ptr raised;  // by the callback, or by Ctrl-C; looked at under the interpreter's lock
   const RunContext* running = nullptr;
-  const auto report = [&](const Progress& p) {
+  // Calls what may raise an exception of Python, which then ends the work.
+  const auto stopping = [&](const auto& call) {
     const py::gil_scoped_acquire lock;
     if (raised) return;
     try {
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!progress.is_none()) progress(p.stage, p.fraction, p.item);
+      call();
     } catch (...) {
       raised = std::current_exception();
       running->request_stop();
     }
+  };
+  const auto report = [&](const Progress& p) {
+    stopping([&] {
+      if (!progress.is_none()) progress(p.stage, p.fraction, p.item);
+    });
+  };
+  // Python's handlers of signals run on its main thread alone, which waits here while others work.
+  const auto look_for_signals = [&] {
+    stopping([] {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    });
   };
   const RunContext ctx(threads, report);
   running = &ctx;
@@ -67,7 +127,7 @@ void run_unlocked(int threads, const py::object& progress,
   {
     const py::gil_scoped_release unlocked;
     try {
-      work(ctx);
+      run_beside([&] { work(ctx); }, look_for_signals);
     } catch (...) {
       failed = std::current_exception();
     }
@@ -94,5 +154,8 @@ PYBIND11_MODULE(_foramen, module) {
   python::add_meshes(module);
   python::add_models(module);
   python::add_model_uses(module);
+  python::add_options(module);
+  python::add_stages(module);
+  python::add_evaluation(module);
   python::add_runs(module);
 }

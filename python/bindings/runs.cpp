@@ -1,77 +1,173 @@
 #include <algorithm>
+#include <filesystem>
+#include <optional>
 
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "build_options.hpp"
-#include "convert_options.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/exchange/convert.hpp"
 #include "foramen/findings/compare_models.hpp"
 #include "foramen/io/atomic_file.hpp"
 #include "foramen/pages/model_page.hpp"
 #include "foramen/pages/render_model.hpp"
+#include "foramen/workflow/build_choices.hpp"
 #include "foramen/workflow/evaluate_folder.hpp"
+#include "foramen/workflow/label_choices.hpp"
+#include "foramen/workflow/run_build.hpp"
 #include "foramen/workflow/run_extract.hpp"
+#include "options.hpp"
 
 namespace foramen::python {
 namespace {
 
-// Options as the program's command line has them, so that they mean the same.
-void parse(CLI::App& command, std::vector<std::string> arguments) {
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
-  try {
-    command.parse(std::move(arguments));
-  } catch (const CLI::ParseError& e) {
-    throw InvalidInput(e.what());
-  }
+// What a user's value reads like on a command line.
+std::string shown(py::handle value) {
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();  // also a member of an enumeration
+  return py::str(py::reinterpret_borrow<py::object>(value)).cast<std::string>();
 }
 
-std::string build(const std::vector<std::string>& inputs, const std::string& output,
-                  const std::vector<std::string>& options, int threads, const py::object& progress) {
-  CLI::App command("", "build");
-  app::BuildArguments arguments;
-  arguments.add_to(command);
-  parse(command, options);
-  BuildRequest request;
-  try {
-    request = arguments.request(inputs, output, app::canonical_command(command, inputs));
-  } catch (const CLI::ParseError& e) {
-    throw InvalidInput(e.what());
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).lexically_normal().filename().string();
+}
+
+// The program's command that gives the same files; they record it.
+class CanonicalCommand {
+ public:
+  CanonicalCommand(const std::string& verb, const std::vector<std::string>& inputs)
+      : text_("foramen " + verb) {
+    for (const std::string& input : inputs) add_word(file_name(input));
   }
+
+  // The options of a struct that a dict sets, in their order. Unset ones and switches that are off are left out.
+  template <DescribedOptions Options>
+  void add(const Options& options, const py::dict& given) {
+    for_each_option(options, [&](const std::string& path, const auto& field, const OptionText&) {
+      const py::str name(path);
+      if (!given.contains(name) || given[name].is_none()) return;
+      using Field = std::remove_cvref_t<decltype(field)>;
+      if constexpr (std::is_same_v<Field, bool>) {
+        if (field) add_flag(path);
+      } else {
+        const py::object value = detail::python_value(field);
+        add(path, py::isinstance<py::str>(value) ? shown(value) : shown(given[name]));
+      }
+    });
+  }
+  void add(const std::string& name, const std::string& value) {
+    add_flag(name);
+    add_word(name == "label_names" ? std::filesystem::path(value).filename().string() : value);
+  }
+  void add_flag(std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    text_ += " --";
+    text_ += name;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  void add_word(const std::string& word) {
+    text_ += ' ';
+    text_ += word;
+  }
+
+  std::string text_;
+};
+
+LengthUnit unit_named(const std::string& word) {
+  if (const auto unit = length_unit(word)) return *unit;
+  throw InvalidInput("units must be mm, cm, m or um, not " + word);
+}
+
+struct GivenLabels {
+  LabelChoices choices;
+  std::optional<LabelRequest> request;
+};
+
+GivenLabels labels_from(const py::dict& given) {
+  GivenLabels labels;
+  set_options(labels.choices, given, "labels");
+  labels.request = label_request(labels.choices);
+  return labels;
+}
+
+// Limits of a repair that is not asked for are a mistake.
+std::optional<RepairOptions> repair_from(bool repair, const py::dict& limits) {
+  if (!repair) {
+    for (const auto& [name, limit] : limits)
+      throw InvalidInput(shown(name) + " has no effect without repair=True; leave it out");
+    return std::nullopt;
+  }
+  RepairOptions options;
+  set_options(options, limits, "repair");
+  return options;
+}
+
+void add_repair(CanonicalCommand& command, const std::optional<RepairOptions>& repair,
+                const py::dict& limits) {
+  if (!repair) return;
+  command.add_flag("repair");
+  for (const char* limit : {"handle_limit", "hole_limit"})
+    if (limits.contains(limit)) command.add(limit, shown(limits[limit]));
+}
+
+std::string build_folder(const std::vector<std::string>& inputs, const std::string& output,
+                         const py::dict& chosen, const py::dict& labels, bool repair, const py::dict& limits,
+                         const std::optional<std::string>& units, const std::string& truth, bool refit,
+                         bool resume, const std::string& store, int threads, const py::object& progress) {
+  BuildChoices choices;
+  set_options(choices, chosen, "build");
+  const GivenLabels given_labels = labels_from(labels);
+  BuildRequest request;
+  request.inputs.assign(inputs.begin(), inputs.end());
+  request.output = output;
+  if (units) request.unit = unit_named(*units);
+  request.labels = given_labels.request;
+  request.repair = repair_from(repair, limits);
+  request.build = build_options(choices);
+  request.evaluation = evaluation_options(choices);
+  request.refit = refit;
+  request.subject_pattern = choices.subject_regex.value_or("");
+  request.truth = truth;
+  request.resume = resume;
+  request.store = store;
+  if (!truth.empty() && !std::filesystem::is_directory(truth))
+    throw InvalidInput("truth: there is no folder " + truth);
+
+  CanonicalCommand command("build", inputs);
+  command.add(choices, chosen);
+  if (units) command.add("units", *units);
+  command.add(given_labels.choices, labels);
+  add_repair(command, request.repair, limits);
+  if (refit) command.add_flag("refit");
+  request.canonical_command = command.text();
   std::string json;
   run_unlocked(threads, progress, [&](const RunContext& ctx) { json = run_build(request, ctx).json; });
   return json;
 }
 
-std::string extract(const std::vector<std::string>& inputs, const std::string& output,
-                    const std::vector<std::string>& options, int threads, const py::object& progress) {
-  CLI::App command("", "extract");
-  app::LabelFlags flags;
-  RepairOptions repair_options;
-  bool repair = false;
-  flags.add_to(command);
-  command.add_flag("--repair", repair);
-  app::add_repair_options(command, repair_options);
-  parse(command, options);
+std::string extract_folder(const std::vector<std::string>& inputs, const std::string& output,
+                           const py::dict& labels, bool repair, const py::dict& limits, int threads,
+                           const py::object& progress) {
+  const GivenLabels given_labels = labels_from(labels);
   ExtractRequest request;
   request.inputs.assign(inputs.begin(), inputs.end());
   request.output = output;
-  try {
-    request.labels = flags.resolved().value_or(LabelRequest{});
-  } catch (const CLI::ParseError& e) {
-    throw InvalidInput(e.what());
-  }
-  if (repair) request.repair = repair_options;
-  request.canonical_command = app::canonical_command(command, inputs);
+  request.labels = given_labels.request.value_or(LabelRequest{});
+  request.repair = repair_from(repair, limits);
+  CanonicalCommand command("extract", inputs);
+  command.add(given_labels.choices, labels);
+  add_repair(command, request.repair, limits);
+  request.canonical_command = command.text();
   std::string json;
   run_unlocked(threads, progress, [&](const RunContext& ctx) { json = run_extract(request, ctx).json; });
   return json;
 }
 
-std::string evaluate(const std::string& corresponding, const std::string& shapes, const std::string& truth,
-                     const std::string& true_landmarks, const std::string& output, int samples,
-                     std::uint64_t seed, const std::string& subject_regex, bool remove_scale,
-                     bool area_weights, int threads, const py::object& progress) {
+std::string evaluate_files(const std::string& corresponding, const std::string& shapes,
+                           const std::string& truth, const std::string& true_landmarks,
+                           const std::string& output, const std::string& subject_regex,
+                           const py::dict& options, int threads, const py::object& progress) {
   EvaluateFolderRequest request;
   request.corresponding = corresponding;
   request.shapes = shapes;
@@ -79,10 +175,7 @@ std::string evaluate(const std::string& corresponding, const std::string& shapes
   request.true_landmarks = true_landmarks;
   request.output = output;
   request.subject_pattern = subject_regex;
-  request.options.draws = samples;
-  request.options.seed = seed;
-  request.options.scale = remove_scale ? ScaleMode::remove : ScaleMode::keep;
-  request.options.weights = area_weights ? LandmarkWeights::area : LandmarkWeights::equal;
+  set_options(request.options, options, "evaluate");
   std::string json;
   run_unlocked(threads, progress, [&](const RunContext& ctx) { json = evaluate_folder(request, ctx).json; });
   return json;
@@ -105,16 +198,21 @@ std::string report(const std::string& model, const std::string& output, const st
   return path;
 }
 
-std::string convert(const std::string& input, const std::string& output,
-                    const std::vector<std::string>& options, int threads, const py::object& progress) {
-  CLI::App command("", "convert");
+// files, shapes, landmarks, notes
+py::tuple convert_files(const std::string& input, const std::string& output, const py::object& format,
+                        const std::string& unit, const std::string& triangles, const py::object& scale,
+                        int threads, const py::object& progress) {
   ConvertRequest request{.input = input, .output = output};
-  app::add_convert_options(command, request);
-  parse(command, options);
-  request.command = app::recorded_command(request);
+  detail::set_field(request.format, format, "to");
+  request.unit = unit_named(unit);
+  request.triangles = triangles;
+  if (!scale.is_none()) detail::set_field(request.scale, scale, "scale");
+  CanonicalCommand command("convert", {input});
+  if (request.scale == ScaleMode::remove) command.add("scale", "remove");
+  request.command = command.text();
   ConvertSummary summary;
   run_unlocked(threads, progress, [&](const RunContext& ctx) { summary = foramen::convert(request, ctx); });
-  return text_of(app::convert_json(request, summary));
+  return py::make_tuple(summary.files, summary.shapes, summary.landmarks, summary.notes);
 }
 
 std::string render(const std::string& model, const std::string& output, const std::string& baseline,
@@ -127,12 +225,12 @@ std::string render(const std::string& model, const std::string& output, const st
 }  // namespace
 
 void add_runs(py::module_& module) {
-  module.def("build", &build);
-  module.def("extract", &extract);
-  module.def("evaluate", &evaluate);
+  module.def("build_folder", &build_folder);
+  module.def("extract", &extract_folder);
+  module.def("evaluate_folder", &evaluate_files);
   module.def("compare", &compare);
   module.def("report", &report);
-  module.def("convert", &convert);
+  module.def("convert", &convert_files);
   module.def("render", &render);
 }
 

@@ -13,6 +13,7 @@
 #include "foramen/workflow/completion.hpp"
 #include "foramen/workflow/measure_shapes.hpp"
 #include "foramen/workflow/surface_projector.hpp"
+#include "options.hpp"
 
 namespace foramen::python {
 namespace {
@@ -25,6 +26,8 @@ py::array_t<double> array_of(const std::vector<double>& values) {
 
 std::unique_ptr<SurfaceProjector> projector_of(const UsableModel& model, int threads,
                                                const py::object& progress) {
+  if (model.landmarks.turns.empty())
+    throw InvalidInput("this model was made of points and has no map; to project, build it from surfaces");
   std::unique_ptr<SurfaceProjector> projector;
   run_unlocked(threads, progress,
                [&](const RunContext& ctx) { projector = std::make_unique<SurfaceProjector>(model, ctx); });
@@ -49,13 +52,14 @@ py::tuple project(const SurfaceProjector& projector, const PointArray& points, c
 
 // points, standard deviations, seen, figures as JSON, note or None, posterior
 py::tuple complete(const UsableModel& model, const PointArray& points, const TriangleArray& triangles,
-                   const std::string& space, double noise_mm, double beyond_modes, int threads,
-                   const py::object& progress) {
+                   const std::string& space, double noise_mm, double beyond_modes, const py::dict& further,
+                   int threads, const py::object& progress) {
   const TriangleSoup soup = soup_of(points, triangles);
   CompleteSurfaceOptions options;
   options.noise_mm = noise_mm;
   options.beyond_modes = beyond_modes;
   options.scale = model.scale;
+  set_options(options, further, "complete");
   CompletedSurface completed;
   LoadedModel posterior;
   posterior.space = space_of(space);

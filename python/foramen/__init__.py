@@ -6,6 +6,11 @@
     shapes = model.sample(100, seed=1)            # (100, P, 3), mm
     whole = model.complete(foramen.read_mesh("damaged.ply")).mesh
 
+or, in memory,
+
+    model = foramen.build_model({"L1": foramen.Mesh(points, triangles), ...}, landmarks=2000)
+    foramen.evaluate(model).generalization.mean_surface.mean
+
 Surfaces are Mesh objects of numpy arrays: points (P, 3) in mm, triangles (T, 3), counter-clockwise seen from outside.
 Long work runs without the interpreter's lock on `threads` threads (0: all) and calls `progress(stage, fraction, item)`,
 fraction in 0..1 of the stage; an exception raised there, or Ctrl-C, ends the work and is raised. Errors are those of the
@@ -16,12 +21,20 @@ from . import _foramen
 from ._foramen import Cancelled, ConvergenceError, Error, InvalidInput, IoError, TopologyError
 from ._mesh import Mesh, Repaired, inspect, read_mesh, repair, surface_distance, synth, write_mesh
 from ._model import Completion, Measures, Model, Projection
-from ._runs import build, compare, convert, evaluate, extract, render, report
+from ._evaluation import (Compactness, DrawnShapes, Ensemble, Estimates, Evaluation, ModelErrors, Representation, TruthError,
+                          evaluate)
+from ._options import Bending, Distortion, InitialMap, Method, Objective, Optimiser, Option, Scale, Weights, list_options
+from ._runs import build, compare, convert, extract, render, report
+from ._stages import Correspondence, Landmarks, ShapeRegistration, build_model, correspond, place_landmarks
 
 __version__ = _foramen.version
-__all__ = ["Cancelled", "Completion", "ConvergenceError", "Error", "InvalidInput", "IoError", "Measures", "Mesh", "Model",
-           "Projection", "Repaired", "TopologyError", "build", "compare", "convert", "evaluate", "extract", "inspect",
-           "read_mesh", "render", "repair", "report", "surface_distance", "synth", "write_mesh"]
+__all__ = ["Bending", "Cancelled", "Compactness", "Completion", "ConvergenceError", "Correspondence", "Distortion",
+           "DrawnShapes", "Ensemble", "Error", "Estimates", "Evaluation", "InitialMap", "InvalidInput", "IoError",
+           "Landmarks", "Measures", "Mesh", "Method", "Model", "ModelErrors", "Objective", "Optimiser", "Option",
+           "Projection", "Repaired", "Representation", "Scale", "ShapeRegistration", "TopologyError", "TruthError",
+           "Weights", "build", "build_model", "compare", "convert", "correspond", "evaluate", "extract", "inspect",
+           "list_options", "place_landmarks", "read_mesh", "render", "repair", "report", "surface_distance", "synth",
+           "write_mesh"]
 
 for _name in __all__:
     globals()[_name].__module__ = __name__

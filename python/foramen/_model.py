@@ -11,7 +11,9 @@ import numpy as np
 from . import _foramen
 from ._foramen import InvalidInput
 from ._mesh import Mesh
+from ._options import given
 from ._runs import paths_of
+from ._stages import Correspondence
 
 
 class Model:
@@ -19,12 +21,17 @@ class Model:
 
     mean (P, 3) mm; triangles (T, 3); variance (K,) mm^2, decreasing, divisor n - 1; basis (P, 3, K), orthonormal in the inner
     product of the weights (P,); names of the n training shapes and their scores (n, K) in standard deviations; space.
+
+    A model made in memory also has transforms (n, 4, 4): each shape's coordinates -> the model's; scale and
+    landmark_weights, the options that it was made with; and, if build_model() made it, its correspondence, without the
+    maps. Of a model that was read these are None.
     """
 
     def __init__(self, loaded, folder=None):
         self._loaded = loaded
         self._folder = folder
-        self._usable = self._projector = None
+        self._usable = self._projector = self._surfaces = None
+        self._corresponding = self.transforms = self.correspondence = self.scale = self.landmark_weights = None
         self.mean = loaded.mean
         self.triangles = loaded.triangles
         self.variance = loaded.variance
@@ -42,6 +49,33 @@ class Model:
         """
         path = os.fspath(path)
         return cls(_foramen.LoadedModel(path), path)
+
+    @classmethod
+    def from_corresponding(cls, points, triangles, *, names=None, scale="keep", weights="equal", space="LPS"):
+        """The model of corresponding shapes of any tool: points (n, P, 3) in mm, in any pose; their triangles (T, 3).
+
+        Generalized Procrustes alignment and principal components. It has no maps, so that project() cannot be used.
+        """
+        points = np.asarray(points)
+        names = [f"shape{i + 1:03d}" for i in range(len(points))] if names is None else list(names)
+        return cls._of_parts(_foramen.model_of_points(points, triangles, names, space, given(scale=scale, weights=weights)))
+
+    @classmethod
+    def _of_parts(cls, parts, surfaces=None):
+        model = cls(parts["loaded"])
+        model._usable, model._surfaces = parts["usable"], surfaces
+        model._corresponding, model.transforms = parts["corresponding"], parts["transforms"]
+        model.scale, model.landmark_weights = parts["scale"], parts["landmark_weights"]
+        if "registration" in parts:
+            model.correspondence = Correspondence(**parts["registration"])
+        return model
+
+    @property
+    def corresponding(self):
+        """The landmarks (n, P, 3) of the training shapes, each in its own coordinates, mm, of a model made in memory."""
+        if self._corresponding is None:
+            raise InvalidInput("a model that was read has its corresponding shapes in the folder corresponding/ beside it")
+        return self._corresponding
 
     @property
     def modes(self):
@@ -87,14 +121,15 @@ class Model:
                                                                                        progress)
         return Projection(points, scores, fit, residual, fit_residual, json.loads(figures))
 
-    def complete(self, mesh, *, noise_mm=0.5, beyond_modes=0.3, threads=0, progress=None):
+    def complete(self, mesh, *, noise_mm=0.5, beyond_modes=0.3, options=None, threads=0, progress=None):
         """The whole of a partial or damaged surface, open or closed, in any pose, wound outward, as a Completion.
 
         noise_mm: standard deviation of the surface about the shape [mm]; beyond_modes: variance of smooth displacements that no
-        mode has, as a share of the prior's, 0 for the modes alone. Warns if another pose fits nearly as well.
+        mode has, as a share of the prior's, 0 for the modes alone; options: a dict for all others, see
+        list_options("complete"). Warns if another pose fits nearly as well.
         """
-        points, sd, seen, figures, note, posterior = self._of_folder().complete(mesh.points, mesh.triangles, mesh.space, noise_mm,
-                                                                                beyond_modes, threads, progress)
+        points, sd, seen, figures, note, posterior = self._of_folder().complete(
+            mesh.points, mesh.triangles, mesh.space, noise_mm, beyond_modes, options or {}, threads, progress)
         if note:
             warnings.warn(note + ": look at the result", stacklevel=2)
         return Completion(Mesh(points, self.triangles, mesh.space), sd, seen, json.loads(figures), posterior)
@@ -105,7 +140,7 @@ class Model:
         definitions: a dict, or a JSON file, of points (a landmark's index or a position [x, y, z] on the mean, mm), distances
         (a pair of points) and regions ({"centre": point, "radius_mm": r} or {"landmarks": [...]}), by names of your choice.
         shapes: landmarks (P, 3) or (N, P, 3) in mm; or mesh files with the model's landmarks, and folders of them; None: the
-        training shapes, as the model's folder has them. units: of files.
+        training shapes. units: of files.
         """
         if isinstance(definitions, dict):
             file, text = "", json.dumps(definitions, default=_plain)
@@ -114,6 +149,9 @@ class Model:
         if isinstance(shapes, np.ndarray):
             shapes = shapes[np.newaxis] if shapes.ndim == 2 else shapes
             return Measures([], *_foramen.measure_landmarks(self._loaded, file, text, shapes, progress))
+        if shapes is None and self._corresponding is not None:
+            measured = _foramen.measure_landmarks(self._loaded, file, text, self._corresponding, progress)
+            return Measures(self.names, *measured)
         inputs = [os.path.join(self._needed_folder(), "corresponding")] if shapes is None else paths_of(shapes)
         return Measures(*_foramen.measure_meshes(self._loaded, file, text, inputs, units, progress))
 

@@ -99,6 +99,7 @@ def test_an_exception_in_progress_ends_the_work(cohort, tmp_path):
 
 def test_the_stubs_name_what_there_is():
     import ast
+    import dataclasses
     import inspect
     import pathlib
 
@@ -115,3 +116,10 @@ def test_the_stubs_name_what_there_is():
             continue
         arguments = [a.arg for a in node.args.args + node.args.kwonlyargs]
         assert arguments == list(inspect.signature(getattr(function, "__func__", function)).parameters), name
+    for name, node in classes.items():
+        fields = {item.target.id for item in node.body if isinstance(item, ast.AnnAssign)}
+        members = {item.targets[0].id: item.value.value for item in node.body if isinstance(item, ast.Assign)}
+        if members:
+            assert members == {member.name: member.value for member in getattr(foramen, name)}, name
+        elif dataclasses.is_dataclass(getattr(foramen, name)):
+            assert fields == {item.name for item in dataclasses.fields(getattr(foramen, name)) if item.name[0] != "_"}, name

@@ -252,7 +252,7 @@ def test_what_cannot_be_used_is_refused(built, model, surface, part, torus, tmp_
         model.measure({}, units="inch")
     with pytest.raises(foramen.InvalidInput, match="moved.ply.*triangles"):
         model.measure({}, surface[0])
-    with pytest.raises(foramen.InvalidInput, match="--to"):
+    with pytest.raises(foramen.InvalidInput, match="to must be one of"):
         foramen.convert(built[0], tmp_path / "a.csv", to="docx")
     with pytest.raises(foramen.InvalidInput, match="lies in the folder"):
         foramen.convert(built[0], built[0] / "a.tps")

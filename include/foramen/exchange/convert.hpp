@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/model/procrustes.hpp"
@@ -24,6 +27,20 @@ enum class ExchangeFormat {
   ply,                 ///< OUTPUT/NAME.ply: a mesh a shape
   vtp,                 ///< OUTPUT/NAME.vtp
   scalismo_landmarks,  ///< OUTPUT/NAME.json: the landmarks of a shape; Scalismo
+};
+
+template <>
+struct EnumWords<ExchangeFormat> {
+  static constexpr std::pair<std::string_view, ExchangeFormat> all[] = {
+      {"h5", ExchangeFormat::statismo},
+      {"h5.json", ExchangeFormat::scalismo_json},
+      {"swproj", ExchangeFormat::shapeworks},
+      {"tps", ExchangeFormat::tps},
+      {"csv", ExchangeFormat::landmark_table},
+      {"scores", ExchangeFormat::score_table},
+      {"ply", ExchangeFormat::ply},
+      {"vtp", ExchangeFormat::vtp},
+      {"landmarks", ExchangeFormat::scalismo_landmarks}};
 };
 
 struct ConvertRequest {

@@ -1,0 +1,92 @@
+#pragma once
+/// \file
+/// The few options by which a user sets up a build, and what they mean for the options of all stages.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "foramen/core/options.hpp"
+#include "foramen/evaluate/evaluate.hpp"
+#include "foramen/stages/build_model.hpp"
+
+namespace foramen {
+
+/// What draws the maps together, as a user chooses it.
+enum class ObjectiveChoice {
+  surface,     ///< Objective::surface
+  neighbours,  ///< Objective::neighbours
+  description  ///< Objective::surface, and then rounds by the description length
+};
+template <>
+struct EnumWords<ObjectiveChoice> {
+  static constexpr std::pair<std::string_view, ObjectiveChoice> all[] = {
+      {"surface", ObjectiveChoice::surface},
+      {"neighbours", ObjectiveChoice::neighbours},
+      {"description", ObjectiveChoice::description}};
+};
+
+/// The text of a choice: that of the option which it sets.
+OptionText choice_text(std::string_view name);
+
+/// Unset: the stages' own default, or the paper's choice with `paper`.
+struct BuildChoices {
+  std::optional<Method> method = std::nullopt;
+  std::optional<ObjectiveChoice> objective = std::nullopt;
+  std::optional<int> rounds = std::nullopt;
+  std::optional<DistortionMeasure> distortion = std::nullopt;
+  std::optional<Bending> bending = std::nullopt;
+  std::optional<std::string> reference = std::nullopt;
+  std::optional<double> lambda = std::nullopt;  ///< of the objective in use: the units of the two differ
+  std::optional<int> landmarks = std::nullopt;
+  std::optional<double> target_error_mm = std::nullopt;
+  std::optional<int> samples = std::nullopt;
+  std::optional<std::uint64_t> seed = std::nullopt;  ///< of all stages
+  std::optional<ScaleMode> scale = std::nullopt;     ///< in all stages
+  std::optional<LandmarkWeights> weights = std::nullopt;
+  std::optional<std::string> subject_regex = std::nullopt;  ///< see subject_of()
+  bool paper = false;
+  std::optional<InitialMap> initial_map = std::nullopt;
+  std::optional<Optimiser> optimiser = std::nullopt;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<BuildChoices> auto& c) {
+  visit(c.method, choice_text("method"));
+  visit(c.objective, choice_text("objective"));
+  visit(c.rounds, choice_text("rounds"));
+  visit(c.distortion, choice_text("distortion"));
+  visit(c.bending, choice_text("bending"));
+  visit(c.reference, choice_text("reference"));
+  visit(c.lambda, choice_text("lambda"));
+  visit(c.landmarks, choice_text("landmarks"));
+  visit(c.target_error_mm, choice_text("target_error"));
+  visit(c.samples, choice_text("samples"));
+  visit(c.seed, choice_text("seed"));
+  visit(c.scale, choice_text("scale"));
+  visit(c.weights, choice_text("weights"));
+  visit(c.subject_regex, choice_text("subject_regex"));
+  visit(c.paper, choice_text("paper"));
+  visit(c.initial_map, choice_text("initial_map"));
+  visit(c.optimiser, choice_text("optimiser"));
+}
+
+/// The values that hold where nothing is chosen. `lambda`, `target_error_mm` and `subject_regex` are unset.
+BuildChoices default_choices();
+
+/// A choice that another one leaves without effect.
+class ChoiceWithoutEffect : public InvalidInput {
+ public:
+  ChoiceWithoutEffect(std::string_view name, const std::string& reason);
+  const std::string& name() const { return name_; }  ///< of the choice, as its description has it
+
+ private:
+  std::string name_;
+};
+
+/// `paper` sets the paper's choices, and what is chosen by name overrides them.
+/// Throws InvalidInput for a number out of its range, and ChoiceWithoutEffect.
+BuildOptions build_options(const BuildChoices& choices);
+EvaluationOptions evaluation_options(const BuildChoices& choices);
+
+}  // namespace foramen

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// The options by which a user says which labels of label maps are meant.
+
+#include <optional>
+#include <string>
+
+#include "foramen/core/options.hpp"
+#include "foramen/extract/extract_labels.hpp"
+
+namespace foramen {
+
+template <>
+struct EnumWords<LabelNumbering> {
+  static constexpr std::pair<std::string_view, LabelNumbering> all[] = {
+      {"verse", LabelNumbering::verse}, {"totalsegmentator", LabelNumbering::totalsegmentator}};
+};
+
+struct LabelChoices {
+  std::optional<LabelNumbering> numbering = std::nullopt;  ///< unset: verse
+  std::optional<std::string> labels = std::nullopt;        ///< see LabelSelection::parse()
+  std::optional<std::string> names_file = std::nullopt;    ///< see read_label_names()
+  bool keep_cut = false;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<LabelChoices> auto& c) {
+  visit(c.numbering, {.name = "numbering", .meaning = "what the labels of label maps stand for"});
+  visit(c.labels,
+        {.name = "labels",
+         .meaning = "labels to take from label maps, e.g. 20-24,3; otherwise all that have a name"});
+  visit(c.names_file, {.name = "label_names",
+                       .meaning = "CSV file with the columns label and name: what the labels stand for"});
+  visit(c.keep_cut,
+        {.name = "keep_cut",
+         .meaning = "also take labels that reach the border of the label map, closed flat there"});
+}
+
+/// Nothing if nothing is chosen. Throws InvalidInput for labels that are none, and for a numbering beside a
+/// file of names; IoError for a file of names that cannot be read.
+std::optional<LabelRequest> label_request(const LabelChoices& choices);
+
+}  // namespace foramen

@@ -1,0 +1,188 @@
+"""What is measured on a model."""
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Optional
+
+import numpy as np
+
+from . import _foramen
+from ._foramen import InvalidInput
+from ._mesh import Mesh
+from ._model import Model
+from ._options import given
+from ._stages import given_shapes, named
+
+
+@dataclass(frozen=True)
+class Estimates:
+    """A measure at M numbers of modes: mean (M,), standard_error (M,), and the values (M, items) behind them, if there are."""
+
+    mean: np.ndarray
+    standard_error: np.ndarray
+    values: Optional[np.ndarray] = None
+
+
+@dataclass(frozen=True)
+class ModelErrors:
+    """Distances of a model's shapes to shapes, mm, at M numbers of modes (M,)."""
+
+    modes: np.ndarray
+    hausdorff: Estimates
+    mean_surface: Estimates
+    landmark_rms: Estimates
+
+
+@dataclass(frozen=True)
+class Compactness:
+    """The variance that the first modes hold (M,): per landmark [mm^2], and as a fraction of all."""
+
+    modes: np.ndarray
+    variance_per_landmark: np.ndarray
+    fraction: np.ndarray
+
+
+@dataclass(frozen=True)
+class Ensemble:
+    """The paper's form of both measures: Hausdorff distances of an ensemble of draws and the training set, mm."""
+
+    modes: np.ndarray
+    generalization: Estimates
+    specificity: Estimates
+
+
+@dataclass(frozen=True)
+class DrawnShapes:
+    """Of each shape drawn within 2 standard deviations (D,): self-intersections, triangles folded over, opposing the mean's."""
+
+    self_intersections: np.ndarray
+    folded: np.ndarray
+    opposing_mean: np.ndarray
+
+
+@dataclass(frozen=True)
+class Representation:
+    """Of each shape (N,): distances of its corresponding mesh to its surface, mm, and the mesh's faults."""
+
+    mean: np.ndarray
+    p95: np.ndarray
+    hausdorff: np.ndarray
+    plain_flips: np.ndarray
+    confirmed_flips: np.ndarray
+    degenerate: np.ndarray
+    opposing_mean: np.ndarray
+    self_intersections: np.ndarray
+    input_self_intersections: np.ndarray
+
+
+@dataclass(frozen=True)
+class TruthError:
+    """Distance to the true correspondence, mm: mean, p95 and max, those of perfect landmarks (floor), and means by shape."""
+
+    error: dict
+    floor: dict
+    mean_from_shape: np.ndarray
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """All measures of N shapes in correspondence, as docs/evaluation.md defines them.
+
+    total_variance is per landmark [mm^2]. generalization leaves out one shape at a time, its values are of the shapes;
+    generalization_by_subject all shapes of a subject. The values of specificity are of the draws.
+    """
+
+    names: list
+    subjects: list
+    landmarks: int
+    total_variance: float
+    compactness: Compactness
+    generalization: ModelErrors
+    generalization_by_subject: Optional[ModelErrors]
+    specificity: ModelErrors
+    ensemble: Ensemble
+    drawn: DrawnShapes
+    representation: Representation
+    truth: Optional[TruthError]
+
+
+def _errors(record):
+    return record and ModelErrors(record["modes"], *(Estimates(**record[name])
+                                                     for name in ("hausdorff", "mean_surface", "landmark_rms")))
+
+
+def _evaluation(record):
+    ensemble = record["ensemble"]
+    return Evaluation(**{**record, "compactness": Compactness(**record["compactness"]),
+                         "generalization": _errors(record["generalization"]),
+                         "generalization_by_subject": _errors(record["generalization_by_subject"]),
+                         "specificity": _errors(record["specificity"]),
+                         "ensemble": Ensemble(ensemble["modes"], Estimates(**ensemble["generalization"]),
+                                              Estimates(**ensemble["specificity"])),
+                         "drawn": DrawnShapes(**record["drawn"]),
+                         "representation": Representation(**record["representation"]),
+                         "truth": record["truth"] and TruthError(**record["truth"])})
+
+
+def _in_correspondence(meshes):
+    """(points (N, P, 3), triangles) of meshes with the same triangles."""
+    if not meshes:
+        raise InvalidInput("there are no shapes")
+    for mesh in meshes:
+        if np.shape(mesh.points) != np.shape(meshes[0].points) or not np.array_equal(mesh.triangles, meshes[0].triangles):
+            raise InvalidInput("the meshes are not in correspondence: their points or triangles differ")
+    return np.stack([mesh.points for mesh in meshes]), meshes[0].triangles
+
+
+def _true_correspondence(truth, names):
+    if truth is None:
+        return None
+    if isinstance(truth, Mapping):
+        missing = [name for name in names if name not in truth]
+        if missing:
+            raise InvalidInput(f"truth: there is no shape {missing[0]}")
+        truth = [truth[name] for name in names]
+    return _in_correspondence(list(truth))
+
+
+def evaluate(corresponding, *, names=None, shapes=None, truth=None, true_landmarks=None, output=None, samples=None, seed=None,
+             subjects=None, subject_regex="", scale=None, weights=None, options=None, threads=0, progress=None):
+    """Compactness, generalization, specificity and more of shapes in correspondence, from any tool.
+
+    In memory: corresponding is a Model, or Mesh objects with the same triangles (a sequence, with names, or a mapping
+    from names), and the result an Evaluation. shapes: the original surfaces, under the same names; without them distances
+    are to the surfaces that the model was built of, or else to the corresponding meshes. truth: the true correspondence,
+    Mesh objects with the same triangles in the same order or by the same names. subjects: one per shape.
+
+    From files: corresponding is a folder of meshes, and the result a dict, the contents of metrics.json. shapes and truth:
+    folders, by the same names; true_landmarks and output: folders to write to.
+
+    samples, seed, subject_regex, scale and weights as for build(); of a Model, its own scale and weights are the default.
+    options: a dict for all others, see list_options("evaluate").
+    """
+    settings = {"draws": samples, "seed": seed, "scale": scale, "landmark_weights": weights}
+    settings = {**given(**settings), **(options or {})}
+    if isinstance(corresponding, (str, os.PathLike)):
+        if names is not None or subjects is not None:
+            raise InvalidInput("names and subjects are of shapes in memory; a folder's are named by their files")
+        paths = ["" if path is None else os.fspath(path) for path in (shapes, truth, true_landmarks, output)]
+        return json.loads(_foramen.evaluate_folder(os.fspath(corresponding), *paths, subject_regex, settings, threads,
+                                                   progress))
+    if true_landmarks is not None or output is not None:
+        raise InvalidInput("true_landmarks and output are for folders; the shapes given are in memory")
+    if subjects is not None and subject_regex:
+        raise InvalidInput("subjects and subject_regex exclude each other; leave one of them out")
+    surfaces = None
+    if isinstance(corresponding, Model):
+        model = corresponding
+        names, points, triangles, surfaces = model.names, model.corresponding, model.triangles, model._surfaces
+        settings = {"scale": model.scale, "landmark_weights": model.landmark_weights, **settings}
+    else:
+        names, meshes = named(corresponding, names)
+        points, triangles = _in_correspondence(meshes)
+    if shapes is not None:
+        surfaces = given_shapes(shapes, None if isinstance(shapes, Mapping) else names, threads)
+    return _evaluation(_foramen.evaluate_in_memory(names, points, triangles, surfaces, list(subjects or []), subject_regex,
+                                                   _true_correspondence(truth, names), settings, threads, progress))
