@@ -12,6 +12,9 @@ TIMED = {"run.json", "report.html"}
 MOST_NOTES = 8
 
 
+FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
+
+
 def group_of(name):
     return name.split("/")[0]
 
@@ -21,6 +24,10 @@ class Surface:
     points: np.ndarray
     scalars: dict
     faces: bytes
+
+    def corners(self):
+        """The vertices of every triangle."""
+        return np.frombuffer(self.faces, FACE)["corners"]
 
 
 def read_ply(path):
@@ -121,25 +128,81 @@ def changes(file, old, new):
     return sorted(found, key=lambda change: -change.relative)
 
 
+def closest_on_triangles(points, surface, candidates=12):
+    """Of every point the closest triangle, among those whose centroids are nearest, and the barycentric coordinates of the
+    closest point in it."""
+    triangles = surface.corners()
+    centroids = surface.points[triangles].mean(axis=1)
+    chosen, coordinates = [], []
+    for block in np.array_split(points, len(points) // 500 + 1):
+        squares = (centroids ** 2).sum(axis=1) - 2 * block @ centroids.T
+        near = np.argpartition(squares, candidates, axis=1)[:, :candidates]
+        a, b, c = np.moveaxis(surface.points[triangles[near]], 2, 0)
+        p = block[:, None]
+        # Inside, by areas, and on each edge.
+        normal = np.cross(b - a, c - a)
+        area = (normal ** 2).sum(axis=-1)
+        v = (np.cross(p - a, c - a) * normal).sum(axis=-1) / area
+        w = (np.cross(b - a, p - a) * normal).sum(axis=-1) / area
+        trials = [np.stack([1 - v - w, v, w], axis=-1)]
+        for k, (start, end) in enumerate(((a, b), (b, c), (c, a))):
+            t = ((p - start) * (end - start)).sum(axis=-1) / ((end - start) ** 2).sum(axis=-1)
+            t = np.clip(t, 0, 1)
+            trials.append(np.roll(np.stack([1 - t, t, 0 * t], axis=-1), k, axis=-1))
+        trials = np.stack(trials, axis=2)
+        reached = np.einsum("nctk,nckx->nctx", trials, np.stack([a, b, c], axis=2))
+        distance = np.linalg.norm(reached - p[:, :, None], axis=-1)
+        distance[trials.min(axis=-1) < -1e-9] = np.inf
+        best = distance.reshape(len(block), -1).argmin(axis=1)
+        rows = np.arange(len(block))
+        chosen.append(near[rows, best // 4])
+        coordinates.append(trials.reshape(len(block), -1, 3)[rows, best])
+    return triangles[np.concatenate(chosen)], np.concatenate(coordinates)
+
+
+def carried(old, new):
+    """How two correspondences with different landmarks differ: the new points of the first shape are carried to the others
+    by the old triangles; their distances from the new points there, in words. Triangles stand for curved surfaces, so that
+    some hundredths of a millimetre mean nothing."""
+    names = sorted({path.name for path in old.glob("*.ply")} & {path.name for path in new.glob("*.ply")})
+    if len(names) < 2:
+        return "no two shapes to carry points between"
+    corners, weights = closest_on_triangles(read_ply(new / names[0]).points, read_ply(old / names[0]))
+    distances = np.concatenate([np.linalg.norm(
+        (read_ply(old / name).points[corners] * weights[:, :, None]).sum(axis=1) - read_ply(new / name).points, axis=1)
+        for name in names[1:]])
+    return (f"new points of {names[0]}, carried to the other shapes by the old triangles, come {distances.mean():.3g} mm "
+            f"(mean), {np.quantile(distances, 0.95):.3g} mm (95 %), {distances.max():.3g} mm (largest) from the new points there")
+
+
 @dataclass
 class Comparison:
     """How the outputs of one job differ. A group is a file at the top of the folder, or a folder there with its files."""
     counts: dict = field(default_factory=dict)        # group: number of files
-    differing: dict = field(default_factory=dict)     # group: files that differ
+    differing: list = field(default_factory=list)     # files that differ
     version_only: list = field(default_factory=list)  # HDF5 files that differ in the version of foramen alone
     shifts: list = field(default_factory=list)        # (largest shift of a point in mm, file)
-    lost: list = field(default_factory=list)          # (file, why its points cannot be compared)
+    lost: dict = field(default_factory=dict)          # why points cannot be compared: files
     notes: list = field(default_factory=list)
     numbers: dict = field(default_factory=dict)       # file: (how many numbers it has, changes)
+
+    def listed(self, names):
+        """Names of files in short: those of a folder by their number."""
+        numbers = {}
+        for name in names:
+            numbers[group_of(name)] = numbers.get(group_of(name), 0) + 1
+        return ", ".join(f"{group}/ ({number} of {self.counts[group]})" if group not in names else group
+                         for group, number in numbers.items())
 
     def compare_ply(self, name, old, new):
         a, b = read_ply(old), read_ply(new)
         if len(a.points) != len(b.points):
-            self.lost.append((name, f"{len(a.points)} vertices became {len(b.points)}"))
+            self.lost.setdefault(f"{len(a.points)} vertices became {len(b.points)}", []).append(name)
+            return
+        if a.faces != b.faces:
+            self.lost.setdefault("other triangles", []).append(name)
             return
         self.shifts.append((np.linalg.norm(a.points - b.points, axis=1).max(initial=0), name))
-        if a.faces != b.faces:
-            self.lost.append((name, "other triangles"))
         for scalar in [scalar for scalar in a.scalars if scalar in b.scalars]:
             largest = np.abs(a.scalars[scalar] - b.scalars[scalar]).max(initial=0)
             if largest > 0:
@@ -161,7 +224,7 @@ class Comparison:
         if old.suffix == ".h5" and not self.compare_h5(name, old, new, versions):
             self.version_only.append(name)
             return
-        self.differing.setdefault(group_of(name), []).append(name)
+        self.differing.append(name)
         if old.suffix == ".ply":
             self.compare_ply(name, old, new)
         elif old.suffix in (".json", ".csv"):
@@ -181,8 +244,10 @@ def compare(old, new, versions):
         if name in files[0] & files[1]:
             found.compare_file(name, old / name, new / name, versions)
         else:
-            found.differing.setdefault(group, []).append(name)
-            found.lost.append((name, f"only {'old' if name in files[0] else 'new'} wrote it"))
+            found.differing.append(name)
+            found.lost.setdefault(f"written by {'old' if name in files[0] else 'new'} alone", []).append(name)
+    if any(group_of(name) == "corresponding" for names in found.lost.values() for name in names):
+        found.notes.insert(0, carried(old / "corresponding", new / "corresponding"))
     return found
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from compare_results import compare, group_of, left_out, read_ply
+from compare_results import FACE, compare, group_of, left_out, read_ply
 
 # Files and folders of a model whose bytes must be the same. Of what other commands write every file must be.
 JUDGED_OF_MODEL = {"model.h5", "mean.ply", "corresponding", "scores.csv", "metrics.csv"}
@@ -19,11 +19,11 @@ def cut(source, target):
     """Writes the front of a vertebra without its posterior elements: what lies behind (larger y) the middle of its extent
     is removed, and what stays is an open surface."""
     surface = read_ply(source)
-    corners = np.frombuffer(surface.faces, np.dtype([("count", "u1"), ("corners", "<i4", 3)]))["corners"]
+    corners = surface.corners()
     y = surface.points[:, 1]
     kept = corners[(y[corners] < (y.min() + y.max()) / 2).all(axis=1)]
     used, renumbered = np.unique(kept, return_inverse=True)
-    faces = np.empty(len(kept), np.dtype([("count", "u1"), ("corners", "<i4", 3)]))
+    faces = np.empty(len(kept), FACE)
     faces["count"], faces["corners"] = 3, renumbered.reshape(-1, 3)
     header = (f"ply\nformat binary_little_endian 1.0\ncomment SPACE=LPS\nelement vertex {len(used)}\nproperty float x\n"
               f"property float y\nproperty float z\nelement face {len(kept)}\n"
@@ -63,7 +63,8 @@ class Report:
         for what, ratio, bound in (("CPU", cpu, self.options.cpu), ("memory", memory, self.options.memory)):
             if bound and ratio > bound:
                 self.costs.append(f"{folder.name}: {what} times {ratio:.3f}, more than {bound:g}")
-        self.row(folder.name, self.outcome(found), f"{self.largest_shift(found):.3g}", f"{old['cpu_s']:.1f}",
+        shift = "not comparable" if self.lost(found) else f"{self.largest_shift(found):.3g}"
+        self.row(folder.name, self.outcome(found), shift, f"{old['cpu_s']:.1f}",
                  f"{new['cpu_s']:.1f}", f"{cpu:.3f}", f"{old['peak_mb']:.0f}", f"{memory:.3f}")
 
     @staticmethod
@@ -71,39 +72,41 @@ class Report:
         print("| " + " | ".join(cells) + " |", flush=True)
 
     @staticmethod
-    def judged(found):
-        return JUDGED_OF_MODEL if "model.h5" in found.counts else set(found.counts)
+    def judged(found, names):
+        return [name for name in names if group_of(name) in JUDGED_OF_MODEL or "model.h5" not in found.counts]
+
+    def lost(self, found):
+        """Why points of judged files cannot be compared, in words."""
+        judged = {why: self.judged(found, names) for why, names in found.lost.items()}
+        return [f"{why}: {found.listed(names)}" for why, names in judged.items() if names]
 
     def largest_shift(self, found):
-        return max((mm for mm, name in found.shifts if group_of(name) in self.judged(found)), default=0.0)
+        return max((mm for mm, name in found.shifts if self.judged(found, [name])), default=0.0)
 
     def outcome(self, found):
-        def listed(groups):
-            return ", ".join(f"{group}/ ({len(found.differing[group])} of {found.counts[group]})"
-                             if "/" in found.differing[group][0] else group for group in groups)
         if not found.counts:
             return "nothing written"
-        judged = [group for group in found.differing if group in self.judged(found)]
-        others = [group for group in found.differing if group not in judged]
-        text = "differs: " + listed(judged) if judged else "same bytes"
+        judged = self.judged(found, found.differing)
+        others = [name for name in found.differing if name not in judged]
+        text = "differs: " + found.listed(judged) if judged else "same bytes"
         if found.version_only:
             text += "; but for the version the same: " + ", ".join(found.version_only)
-        return text + ("; not judged, differs: " + listed(others) if others else "")
+        return text + ("; not judged, differs: " + found.listed(others) if others else "")
 
     def judge_files(self, folder, found):
-        name, judged = folder.name, self.judged(found)
-        lost = [f"{file}: {text}" for file, text in found.lost if group_of(file) in judged]
+        reasons = self.lost(found)
+        judged = self.judged(found, found.differing)
         shift = self.largest_shift(found)
         out = [left_out(folder / side) for side in ("old", "new")]
         if not found.counts:
-            self.results.append(f"{name}: no files to compare")
+            reasons.append("no files to compare")
         if out[0].keys() != out[1].keys():
-            lost.append(f"left out by old: {out[0] or 'none'}; by new: {out[1] or 'none'}")
-        if self.options.shift == 0 and set(found.differing) & judged:
-            self.results.append(f"{name}: other bytes in {', '.join(sorted(set(found.differing) & judged))}")
+            reasons.append(f"left out by old: {out[0] or 'none'}; by new: {out[1] or 'none'}")
+        if self.options.shift == 0 and judged:
+            reasons.append(f"other bytes: {found.listed(judged)}")
         if shift > self.options.shift:
-            self.results.append(f"{name}: a point moved by {shift:.3g} mm")
-        self.results += [f"{name}: {text}" for text in lost]
+            reasons.append(f"a point moved by {shift:.3g} mm")
+        self.results += [f"{folder.name}: {reason}" for reason in reasons]
         if found.differing:
             self.details.append((folder, found))
 
@@ -116,7 +119,7 @@ class Report:
         for group, shifts in largest.items():
             mm, name = max(shifts)
             print(f"- largest shift of a point in {group}: {mm:.3g} mm" + (f" ({name})" if name != group else ""))
-        for text in [f"{name}: {text}" for name, text in found.lost] + found.notes:
+        for text in [f"{why}: {found.listed(names)}" for why, names in found.lost.items()] + found.notes:
             print(f"- {text}")
         for name, (count, changed) in found.numbers.items():
             print(f"- {name}: {len(changed)} of {count} numbers changed")

@@ -17,11 +17,12 @@ usage: bench/same_results.sh [option VALUE ...] OLD NEW
                             worktree: the working tree, built in build/release as that is configured
   --jobs "..."              some of: lumbar labels truth paper icp project complete large; default: all but large
   --large                   large too: 200 shapes of 40000 vertices (3.3 GB, an hour and more)
-  --shift 0                 no corresponding point may move by more [mm]; 0: the bytes must be the same
+  --shift 0                 no corresponding point may move by more [mm], the triangles being the same; 0: the bytes
+                            must be the same
   --cpu 1.03                no job's CPU seconds may grow by more than this ratio; 0: not judged
   --memory 1.05             nor its peak memory; 0: not judged
   --repeat 1                runs of each job on each side; the least CPU seconds and peak memory of them count
-  --threads 0               of every run; 0: all
+  --threads 0               of every run; 0: all; with 1 the peak memory varies least
   --samples 20              random shapes for specificity
   --worst 12                changed metrics to print of each job; changed.csv of the kept folder has all
   --keep FOLDER             keeps what both sides wrote as FOLDER/JOB/old and FOLDER/JOB/new
