@@ -274,7 +274,8 @@ void add_stages(py::module_& module) {
                                return names;
                              })
       .def_property_readonly("refused", [](const GivenShapes& given) { return failures(given.refused); });
-  py::class_<MadeCorrespondence, std::shared_ptr<MadeCorrespondence>>(module, "MadeCorrespondence");
+  const py::class_<MadeCorrespondence, std::shared_ptr<MadeCorrespondence>> made(module,
+                                                                                 "MadeCorrespondence");
   module.def("correspond", &correspond_shapes);
   module.def("place_landmarks", &place);
   module.def("build_model", &build_in_memory);
