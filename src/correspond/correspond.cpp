@@ -44,7 +44,8 @@ std::vector<int> reference_candidates(std::span<const Shape> shapes, const std::
   if (name == "auto") return rank_references(shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i)
     if (shapes[i].name == name) return {static_cast<int>(i)};
-  throw InvalidInput("the reference " + name + " is not among the usable shapes");
+  throw InvalidInput("the reference " + name +
+                     ": no usable input has this name; give the name of one, or auto");
 }
 
 struct MappedReference {

@@ -136,7 +136,7 @@ TEST_F(BadPlaces, NamesInOptionsThatFitNothing) {
   fs::create_directories(truth);
   fs::copy_file(shape(1), truth / "synth001.ply");
   expect_refused(quick(all + " --reference nobody", model),
-                 "--reference nobody: no usable input has this name");
+                 "the reference nobody: no usable input has this name");
   expect_refused(quick(all + " --subject-regex '('", model), "--subject-regex (: not a regular expression");
   expect_refused(quick(all + " --truth " + truth.string(), model),
                  "there is no true correspondence for the shape synth002");
