@@ -100,7 +100,8 @@ def array_difference(old, new, versions):
         return "" if same else f"is {new.tolist()}, was {old.tolist()}"
     if old.dtype == new.dtype and old.tobytes() == new.tobytes():
         return ""
-    return f"differs by {np.abs(old.astype(float) - new).max(initial=0):.3g} at most, of {np.abs(old).max(initial=0):.3g}"
+    largest = np.abs(old.astype(float) - new).max(initial=0)
+    return f"differs by {largest:.3g} at most, of {np.abs(old).max(initial=0):.3g}"
 
 
 @dataclass
@@ -129,8 +130,8 @@ def changes(file, old, new):
 
 
 def closest_on_triangles(points, surface, candidates=12):
-    """Of every point the closest triangle, among those whose centroids are nearest, and the barycentric coordinates of the
-    closest point in it."""
+    """Of every point the closest triangle, among those whose centroids are nearest, and the barycentric coordinates of
+    the closest point in it."""
     triangles = surface.corners()
     centroids = surface.points[triangles].mean(axis=1)
     chosen, coordinates = [], []
@@ -161,9 +162,9 @@ def closest_on_triangles(points, surface, candidates=12):
 
 
 def carried(old, new):
-    """How two correspondences with different landmarks differ: the new points of the first shape are carried to the others
-    by the old triangles; their distances from the new points there, in words. Triangles stand for curved surfaces, so that
-    some hundredths of a millimetre mean nothing."""
+    """How two correspondences with different landmarks differ, in words. The new points of the first shape are carried
+    to the others by the old triangles, and their distances from the new points there are measured. Triangles stand for
+    curved surfaces, so that some hundredths of a millimetre mean nothing."""
     names = sorted({path.name for path in old.glob("*.ply")} & {path.name for path in new.glob("*.ply")})
     if len(names) < 2:
         return "no two shapes to carry points between"
@@ -171,13 +172,14 @@ def carried(old, new):
     distances = np.concatenate([np.linalg.norm(
         (read_ply(old / name).points[corners] * weights[:, :, None]).sum(axis=1) - read_ply(new / name).points, axis=1)
         for name in names[1:]])
-    return (f"new points of {names[0]}, carried to the other shapes by the old triangles, come {distances.mean():.3g} mm "
-            f"(mean), {np.quantile(distances, 0.95):.3g} mm (95 %), {distances.max():.3g} mm (largest) from the new points there")
+    figures = distances.mean(), np.quantile(distances, 0.95), distances.max()
+    return (f"new points of {names[0]}, carried to the other shapes by the old triangles, come "
+            "{:.3g} mm (mean), {:.3g} mm (95 %), {:.3g} mm (largest) from the new points there".format(*figures))
 
 
 @dataclass
 class Comparison:
-    """How the outputs of one job differ. A group is a file at the top of the folder, or a folder there with its files."""
+    """How the outputs of one job differ. A group is a file at the top of a folder, or a folder there with its files."""
     counts: dict = field(default_factory=dict)        # group: number of files
     differing: list = field(default_factory=list)     # files that differ
     version_only: list = field(default_factory=list)  # HDF5 files that differ in the version of foramen alone

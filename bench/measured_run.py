@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""measured_run.py FIGURES LOG PROGRAM ARGUMENT...: runs a program; its exit code, CPU seconds and peak memory become a line
-of FIGURES, what it says goes to LOG. Those processes that it started and waited for count, too.
+"""measured_run.py FIGURES LOG PROGRAM ARGUMENT...: runs a program. Its exit code, CPU seconds and peak memory become a
+line of FIGURES, and its messages go to LOG. Processes that the program started and waited for count, too.
 
-The kernel takes the memory of the process that starts another as the first of its peak, so this one stays small: it
-imports no numpy."""
+The kernel counts the memory of the process that starts another in the peak of the other. This process therefore stays
+small: it imports no numpy."""
 import json
 import os
 import sys

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What same_results.sh needs beside a shell: cuts a part out of a surface, and reports how the outputs of two programs and
-what they took differ."""
+"""What same_results.sh needs beside a shell: cuts a part out of a surface, and reports how the outputs of two programs
+and what they took differ."""
 import argparse
 import csv
 import json
@@ -16,8 +16,8 @@ JUDGED_OF_MODEL = {"model.h5", "mean.ply", "corresponding", "scores.csv", "metri
 
 
 def cut(source, target):
-    """Writes the front of a vertebra without its posterior elements: what lies behind (larger y) the middle of its extent
-    is removed, and what stays is an open surface."""
+    """Writes the front of a vertebra without its posterior elements: what lies behind (larger y) the middle of its
+    extent is removed, and what stays is an open surface."""
     surface = read_ply(source)
     corners = surface.corners()
     y = surface.points[:, 1]
@@ -46,12 +46,14 @@ class Report:
         self.results = []  # what differs more than it may
         self.costs = []    # what grew more than it may
         self.details = []
+        self.compared = 0
 
     def job(self, folder):
         """Prints a job's row of the table."""
         if (folder / "skipped").exists():
             self.row(folder.name, "skipped: " + (folder / "skipped").read_text().strip(), *[""] * 6)
             return
+        self.compared += 1
         old, new = least(folder / "old.figures"), least(folder / "new.figures")
         for side, run in (("old", old), ("new", new)):
             if run["exit"] != 0:
@@ -138,6 +140,8 @@ class Report:
         for detail in self.details:
             self.detail(*detail)
         print()
+        if self.compared == 0:
+            self.results.append("no job was run")
         for what, reasons in (("results", self.results), ("CPU and memory", self.costs)):
             print(f"{what}: " + ("not within the bounds" if reasons else "within the bounds"))
             for reason in reasons:

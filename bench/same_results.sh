@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Whether two commits make the same results: both are built on this machine and run in turn on the same inputs; the bytes
-# that they write, their CPU seconds and their peak memory are compared. A commit that moves code must write the same
-# bytes. The message of a commit that joins two copies of something quotes the shift and the metrics that this prints.
+# Whether two commits make the same results: both are built on this machine and run in turn on the same inputs. The
+# bytes that they write, their CPU seconds and their peak memory are compared. A commit that moves code must write the
+# same bytes. The message of a commit that joins two copies of something quotes the shift and the metrics printed here.
 #
-#   bench/same_results.sh main HEAD                                       every job once
-#   bench/same_results.sh --jobs "truth project" --cpu 0 HEAD worktree    before committing: the working tree as it is
-#   bench/same_results.sh --shift 1e-3 --repeat 3 main HEAD               points may move by 0.001 mm; CPU with less noise
+#   bench/same_results.sh main HEAD                                      every job once
+#   bench/same_results.sh --jobs "truth project" --cpu 0 HEAD worktree   before committing: the working tree as it is
+#   bench/same_results.sh --shift 1e-3 --repeat 3 main HEAD              points may move by 0.001 mm; less noise in CPU
 set -euo pipefail
 shopt -s inherit_errexit
 export LC_ALL=C  # a point in numbers
@@ -62,7 +62,7 @@ for job in $jobs; do
   esac
 done
 
-# compiled TREE CMAKE-OPTION...: builds TREE/build/release/bin/foramen; what the compiler says is shown only if it fails.
+# compiled TREE CMAKE-OPTION...: builds TREE/build/release/bin/foramen. The compiler's messages are shown if it fails.
 compiled() {
   local tree=$1 log
   shift
@@ -102,7 +102,7 @@ fi
 inputs=$root/build/same_results/inputs/$(sha256sum "$old" | cut -c 1-12)
 mkdir -p "$inputs"
 
-# input NAME ARGUMENT...: what OLD makes with these arguments, as a folder of the inputs; it appears whole or not at all.
+# input NAME ARGUMENT...: what OLD makes with these arguments, a folder of the inputs that appears whole or not at all.
 input() {
   local folder=$inputs/$1
   shift
