@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "foramen/correspond/icp_baseline.hpp"
+#include "correspond/icp_baseline.hpp"
 #include "foramen/match/align.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"

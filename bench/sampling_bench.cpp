@@ -3,9 +3,9 @@
 #include "foramen/core/rng.hpp"
 #include "foramen/sampling/curvature_density.hpp"
 #include "foramen/sampling/lift_to_surface.hpp"
-#include "foramen/sampling/refine_landmarks.hpp"
 #include "foramen/sampling/remesh.hpp"
 #include "sampling/mapped_tori.hpp"
+#include "sampling/refine_landmarks.hpp"
 
 namespace foramen {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "foramen/simplify/working_mesh.hpp"
+#include "simplify/working_mesh.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {

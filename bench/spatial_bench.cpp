@@ -9,9 +9,9 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/flips.hpp"
 #include "foramen/spatial/point_index.hpp"
-#include "foramen/spatial/self_intersections.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "spatial/self_intersections.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
 
@@ -43,7 +43,7 @@ Queries around(const Mesh& mesh, double offset) {
     q.points.push_back(position(mesh, p) + rng.uniform(-offset, offset) * q.normals.back());
   }
   for (std::size_t i = q.points.size(); i > 1; --i) {
-    const auto j = static_cast<std::size_t>(rng.below(static_cast<int>(i)));
+    const std::size_t j = rng.below(static_cast<int>(i));
     std::swap(q.points[i - 1], q.points[j]);
     std::swap(q.normals[i - 1], q.normals[j]);
   }

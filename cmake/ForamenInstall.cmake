@@ -2,7 +2,7 @@
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
-get_property(modules GLOBAL PROPERTY FORAMEN_MODULES)
+get_property(modules GLOBAL PROPERTY FORAMEN_INSTALLED_MODULES)
 set(FORAMEN_CONFIG_MODULES "${modules}")
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/foramenConfig.cmake.in foramenConfig.cmake
                               INSTALL_DESTINATION ${package_dir})

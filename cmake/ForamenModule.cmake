@@ -1,12 +1,13 @@
-# foramen_add_module(NAME [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...] [PACKAGES package...]
+# foramen_add_module(NAME [INTERNAL] [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...] [PACKAGES package...]
 #                    [WHOLE_SUITES suite...])
 #
-# One library foramen_NAME (alias foramen::NAME) from src/NAME/*.cpp and include/foramen/NAME/*.hpp, installed as a
-# component of the package, and one test program NAME_tests from tests/NAME/*_test.cpp. PACKAGES are what a consumer of the
-# installed module must find beside Eigen, TBB and threads. Tests whose name contains RealData need the real shapes; all
+# One library foramen_NAME (alias foramen::NAME) from src/NAME, and one test program NAME_tests from tests/NAME/*_test.cpp.
+# The library and its headers for users (include/foramen/NAME) are installed as a component of the package, unless the module
+# is INTERNAL: then only the program and the Python module use it. PACKAGES are what a consumer of the installed module must
+# find beside Eigen, TBB and threads. Tests whose name contains RealData need the real shapes; all
 # others carry the label quick, which the sanitizer legs run. WHOLE_SUITES: see foramen_discover_tests.
 function(foramen_add_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;LINK;LINK_PRIVATE;PACKAGES;WHOLE_SUITES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "" "DEPENDS;LINK;LINK_PRIVATE;PACKAGES;WHOLE_SUITES")
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
   set(target foramen_${name})
   add_library(${target} STATIC ${sources})
@@ -14,7 +15,7 @@ function(foramen_add_module name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_include_directories(${target}
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
-    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+           $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)
   target_compile_features(${target} PUBLIC cxx_std_20)
   list(TRANSFORM arg_DEPENDS PREPEND foramen:: OUTPUT_VARIABLE depends)
   target_link_libraries(${target}
@@ -22,13 +23,18 @@ function(foramen_add_module name)
     PRIVATE ${arg_LINK_PRIVATE} $<BUILD_INTERFACE:foramen_warnings>)
   foramen_precompile(${target} library)
 
-  install(TARGETS ${target} EXPORT foramen-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/foramen/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/foramen)
-  set(depends_file ${PROJECT_BINARY_DIR}/foramen-${name}-depends.cmake)
-  file(CONFIGURE OUTPUT ${depends_file}
-       CONTENT "set(_foramen_depends @arg_DEPENDS@)\nset(_foramen_packages @arg_PACKAGES@)\n" @ONLY)
-  install(FILES ${depends_file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
   set_property(GLOBAL APPEND PROPERTY FORAMEN_MODULES ${name})
+  if(NOT arg_INTERNAL)
+    set_property(GLOBAL APPEND PROPERTY FORAMEN_INSTALLED_MODULES ${name})
+    install(TARGETS ${target} EXPORT foramen-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/include/foramen/${name})
+      install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/foramen/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/foramen)
+    endif()
+    set(depends_file ${PROJECT_BINARY_DIR}/foramen-${name}-depends.cmake)
+    file(CONFIGURE OUTPUT ${depends_file}
+         CONTENT "set(_foramen_depends @arg_DEPENDS@)\nset(_foramen_packages @arg_PACKAGES@)\n" @ONLY)
+    install(FILES ${depends_file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
+  endif()
 
   # Those whose headers cost most and whose names do not clash.
   set(together parameterize evaluate apply modelfiles workflow)

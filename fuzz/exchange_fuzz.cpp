@@ -1,10 +1,10 @@
 // Any bytes, read as each file that other tools exchange with us: refused with one of our errors, or sound.
 #include "foramen/core/error.hpp"
-#include "foramen/io/hdf5_json_file.hpp"
-#include "foramen/io/named_points.hpp"
-#include "foramen/io/scalismo_landmarks.hpp"
-#include "foramen/io/shapeworks_project.hpp"
 #include "fuzz_input.hpp"
+#include "io/hdf5_json_file.hpp"
+#include "io/named_points.hpp"
+#include "io/scalismo_landmarks.hpp"
+#include "io/shapeworks_project.hpp"
 
 namespace foramen {
 namespace {

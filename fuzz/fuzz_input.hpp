@@ -20,7 +20,7 @@ class MemoryFile {
     while (!bytes.empty()) {
       const auto written = ::write(descriptor_, bytes.data(), bytes.size());
       if (written <= 0) break;
-      bytes.remove_prefix(static_cast<std::size_t>(written));
+      bytes.remove_prefix(written);
     }
   }
   ~MemoryFile() { ::close(descriptor_); }

@@ -1,9 +1,9 @@
 // Any bytes, read as each file of a model: refused with one of our errors, or sound.
 #include "foramen/core/error.hpp"
 #include "foramen/io/statismo_file.hpp"
-#include "foramen/modelfiles/atlas_file.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
 #include "fuzz_input.hpp"
+#include "modelfiles/atlas_file.hpp"
+#include "modelfiles/metrics_file.hpp"
 
 namespace foramen {
 namespace {

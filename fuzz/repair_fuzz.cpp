@@ -24,7 +24,7 @@ void fuzz(std::string_view bytes) {
       const VertexId raw_vertex = repaired.origin[v];
       if (!raw_vertex.valid()) continue;
       require(raw_vertex.index < std::ssize(raw.points));
-      const Vec3& before = raw.points[static_cast<std::size_t>(raw_vertex.index)];
+      const Vec3& before = raw.points[raw_vertex.index];
       require((repaired.mesh.position(v) - before).norm() <= repaired.report.largest_move_mm + 1e-9);
     }
   } catch (const Error&) {

@@ -12,16 +12,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "apply/part_surface.hpp"
 #include "foramen/apply/complete_surface.hpp"
-#include "foramen/apply/part_surface.hpp"
 #include "foramen/apply/project_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/modelfiles/usable_model.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "foramen/topology/handle_loops.hpp"
+#include "inputs/read_cohort.hpp"
+#include "modelfiles/usable_model.hpp"
 
 namespace {
 
@@ -65,7 +65,7 @@ CutShape cut(const Mesh& mesh) {
   for (FaceId f : mesh.faces()) {
     bool behind = false;
     for (const Vec3& p : mesh.triangle(f)) behind = behind || p.y() > shape.limit_y;
-    (behind ? removed : kept).triangles.push_back(mesh.triangles()[static_cast<std::size_t>(f.index)]);
+    (behind ? removed : kept).triangles.push_back(mesh.triangles()[f.index]);
   }
   shape.kept = part_surface(kept);
   shape.removed = part_surface(removed);

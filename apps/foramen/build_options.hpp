@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "command.hpp"
-#include "foramen/workflow/build_choices.hpp"
-#include "foramen/workflow/run_build.hpp"
 #include "label_options.hpp"
 #include "repair_options.hpp"
+#include "workflow/build_choices.hpp"
+#include "workflow/run_build.hpp"
 
 namespace foramen::app {
 

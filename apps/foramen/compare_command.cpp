@@ -2,8 +2,8 @@
 #include <iostream>
 
 #include "command.hpp"
-#include "foramen/findings/compare_models.hpp"
-#include "foramen/io/atomic_file.hpp"
+#include "findings/compare_models.hpp"
+#include "io/atomic_file.hpp"
 
 namespace foramen::app {
 namespace {

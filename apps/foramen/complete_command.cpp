@@ -7,12 +7,12 @@
 #include "command.hpp"
 #include "described_option.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/statismo_file.hpp"
-#include "foramen/modelfiles/usable_model.hpp"
-#include "foramen/workflow/completion.hpp"
+#include "io/atomic_file.hpp"
+#include "modelfiles/usable_model.hpp"
 #include "repair_options.hpp"
+#include "workflow/completion.hpp"
 
 namespace foramen::app {
 namespace {

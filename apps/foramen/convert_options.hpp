@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "command.hpp"
-#include "foramen/exchange/convert.hpp"
+#include "exchange/convert.hpp"
 
 namespace foramen::app {
 

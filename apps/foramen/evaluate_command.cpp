@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 #include "described_option.hpp"
-#include "foramen/workflow/evaluate_folder.hpp"
+#include "workflow/evaluate_folder.hpp"
 
 namespace foramen::app {
 namespace {

@@ -1,9 +1,9 @@
 #include <iostream>
 #include <memory>
 
-#include "foramen/workflow/run_extract.hpp"
 #include "label_options.hpp"
 #include "repair_options.hpp"
+#include "workflow/run_extract.hpp"
 
 namespace foramen::app {
 namespace {

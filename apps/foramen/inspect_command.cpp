@@ -7,10 +7,10 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/modelfiles/mesh_report_json.hpp"
-#include "foramen/modelfiles/repair_record.hpp"
 #include "foramen/repair/remove_handles.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "modelfiles/mesh_report_json.hpp"
+#include "modelfiles/repair_record.hpp"
 
 namespace foramen::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "command.hpp"
-#include "foramen/workflow/label_choices.hpp"
+#include "workflow/label_choices.hpp"
 
 namespace foramen::app {
 

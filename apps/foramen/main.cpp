@@ -3,7 +3,7 @@
 
 #include "command.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/version.hpp"
+#include "modelfiles/version.hpp"
 
 namespace {
 

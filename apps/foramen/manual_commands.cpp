@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "command.hpp"
-#include "foramen/modelfiles/version.hpp"
+#include "modelfiles/version.hpp"
 
 namespace foramen::app {
 namespace {

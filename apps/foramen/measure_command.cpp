@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/io/table_file.hpp"
-#include "foramen/modelfiles/measures_file.hpp"
-#include "foramen/modelfiles/model_folder.hpp"
-#include "foramen/workflow/measure_shapes.hpp"
+#include "io/table_file.hpp"
+#include "modelfiles/measures_file.hpp"
+#include "modelfiles/model_folder.hpp"
 #include "repair_options.hpp"
+#include "workflow/measure_shapes.hpp"
 
 namespace foramen::app {
 namespace {

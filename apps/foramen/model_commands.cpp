@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/modelfiles/model_folder.hpp"
+#include "modelfiles/model_folder.hpp"
 
 namespace foramen::app {
 namespace {

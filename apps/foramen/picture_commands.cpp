@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/pages/model_page.hpp"
-#include "foramen/pages/render_model.hpp"
+#include "io/atomic_file.hpp"
+#include "pages/model_page.hpp"
+#include "pages/render_model.hpp"
 
 namespace foramen::app {
 namespace {

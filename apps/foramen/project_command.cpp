@@ -9,11 +9,11 @@
 #include "command.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
-#include "foramen/inputs/read_cohort.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/io/table_file.hpp"
-#include "foramen/workflow/surface_projector.hpp"
+#include "inputs/read_cohort.hpp"
+#include "io/atomic_file.hpp"
+#include "io/table_file.hpp"
 #include "repair_options.hpp"
+#include "workflow/surface_projector.hpp"
 
 namespace foramen::app {
 namespace {
@@ -110,7 +110,7 @@ int project(const ProjectCommand& command) {
   std::vector<Projected> all(files.size());
   std::atomic<int> done{0};
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
-    const auto k = static_cast<std::size_t>(i);
+    const std::size_t k = i;
     try {
       all[k] = projected(files[k], command, projector, ctx.without_progress());
     } catch (const Cancelled&) {

@@ -8,8 +8,8 @@
 #include "command.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/io/table_file.hpp"
-#include "foramen/modelfiles/model_folder.hpp"
+#include "io/table_file.hpp"
+#include "modelfiles/model_folder.hpp"
 
 namespace foramen::app {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "command.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/modelfiles/repair_record.hpp"
+#include "inputs/read_cohort.hpp"
+#include "modelfiles/repair_record.hpp"
 #include "repair_options.hpp"
 
 namespace foramen::app {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/version.hpp"
+#include "modelfiles/version.hpp"
 #include "progress_bar.hpp"
 
 namespace foramen::app {

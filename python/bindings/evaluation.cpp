@@ -5,7 +5,7 @@
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/inputs/subject_of.hpp"
+#include "inputs/subject_of.hpp"
 #include "options.hpp"
 
 namespace foramen::python {

@@ -4,12 +4,12 @@
 
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/mesh_report_json.hpp"
-#include "foramen/modelfiles/repair_record.hpp"
 #include "foramen/repair/repair_mesh.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "foramen/synth/synth_cohort.hpp"
+#include "modelfiles/mesh_report_json.hpp"
+#include "modelfiles/repair_record.hpp"
 
 namespace foramen::python {
 namespace {

@@ -7,7 +7,7 @@
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/modelfiles/model_folder.hpp"
+#include "modelfiles/model_folder.hpp"
 
 namespace foramen::python {
 namespace {
@@ -102,7 +102,7 @@ void add_models(py::module_& module) {
       .def_property_readonly("weights",
                              [](const LoadedModel& m) {
                                std::vector<double> all = m.model.weights();
-                               all.resize(static_cast<std::size_t>(m.model.landmarks()), 1);
+                               all.resize(m.model.landmarks(), 1);
                                return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
                              })
       .def_property_readonly("names", [](const LoadedModel& m) { return m.names; })

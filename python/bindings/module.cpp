@@ -4,7 +4,7 @@
 
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/version.hpp"
+#include "modelfiles/version.hpp"
 
 namespace foramen::python {
 
@@ -53,10 +53,10 @@ py::array_t<double> shapes_array(const std::vector<std::vector<Vec3>>& shapes) {
 std::vector<std::vector<Vec3>> shapes_of(const PointArray& points) {
   if (points.ndim() != 3 || points.shape(2) != 3)
     throw InvalidInput("points must be an array of shape (N, P, 3)");
-  std::vector<std::vector<Vec3>> shapes(static_cast<std::size_t>(points.shape(0)));
+  std::vector<std::vector<Vec3>> shapes(points.shape(0));
   const double* value = points.data();
   for (auto& shape : shapes) {
-    shape.resize(static_cast<std::size_t>(points.shape(1)));
+    shape.resize(points.shape(1));
     for (Vec3& p : shape) {
       p = Eigen::Map<const Vec3>(value);
       value += 3;

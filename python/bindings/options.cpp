@@ -4,12 +4,12 @@
 #include <cctype>
 #include <numeric>
 
+#include "extract/extract_labels.hpp"
 #include "foramen/apply/complete_surface.hpp"
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/extract/extract_labels.hpp"
 #include "foramen/repair/repair_mesh.hpp"
 #include "foramen/stages/build_model.hpp"
-#include "foramen/workflow/build_choices.hpp"
+#include "workflow/build_choices.hpp"
 
 namespace foramen::python {
 namespace detail {

@@ -5,18 +5,18 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "exchange/convert.hpp"
+#include "findings/compare_models.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/exchange/convert.hpp"
-#include "foramen/findings/compare_models.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/pages/model_page.hpp"
-#include "foramen/pages/render_model.hpp"
-#include "foramen/workflow/build_choices.hpp"
-#include "foramen/workflow/evaluate_folder.hpp"
-#include "foramen/workflow/label_choices.hpp"
-#include "foramen/workflow/run_build.hpp"
-#include "foramen/workflow/run_extract.hpp"
+#include "io/atomic_file.hpp"
 #include "options.hpp"
+#include "pages/model_page.hpp"
+#include "pages/render_model.hpp"
+#include "workflow/build_choices.hpp"
+#include "workflow/evaluate_folder.hpp"
+#include "workflow/label_choices.hpp"
+#include "workflow/run_build.hpp"
+#include "workflow/run_extract.hpp"
 
 namespace foramen::python {
 namespace {

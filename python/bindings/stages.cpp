@@ -8,11 +8,11 @@
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
-#include "foramen/inputs/read_cohort.hpp"
-#include "foramen/modelfiles/usable_model.hpp"
 #include "foramen/stages/build_model.hpp"
-#include "foramen/workflow/build_choices.hpp"
+#include "inputs/read_cohort.hpp"
+#include "modelfiles/usable_model.hpp"
 #include "options.hpp"
+#include "workflow/build_choices.hpp"
 
 namespace foramen::python {
 namespace {
@@ -35,10 +35,9 @@ GivenShapes given_shapes(const std::vector<std::string>& names, const std::vecto
   std::vector<Audited> audited(names.size());
   run_unlocked(threads, progress, [&](const RunContext& ctx) {
     parallel_for(static_cast<int>(names.size()), ctx, [&](int i) {
-      Audited& shape = audited[static_cast<std::size_t>(i)];
+      Audited& shape = audited[i];
       try {
-        shape.mesh =
-            usable_shape({}, std::move(soups[static_cast<std::size_t>(i)]), LengthUnit::millimetre).mesh;
+        shape.mesh = usable_shape({}, std::move(soups[i]), LengthUnit::millimetre).mesh;
       } catch (const InvalidInput& e) {
         shape.refusal = e.what();
       }
@@ -99,7 +98,7 @@ py::dict registration_of(const CohortRegistration& cohort, const GivenShapes& gi
   for (const ShapeRegistration& shape : cohort.shapes) shapes.append(record_of(shape));
   py::dict out;
   out["method"] = std::string(word_of(cohort.method));
-  out["reference"] = cohort.shapes[static_cast<std::size_t>(cohort.reference)].name;
+  out["reference"] = cohort.shapes[cohort.reference].name;
   out["shapes"] = shapes;
   out["failed"] = failures(failed);
   out["refused_references"] = failures(cohort.refused_references);
@@ -175,7 +174,7 @@ py::array_t<double> transforms_array(const std::vector<SimilarityTransform>& tra
   py::array_t<double> out({static_cast<py::ssize_t>(transforms.size()), py::ssize_t{4}, py::ssize_t{4}});
   auto view = out.mutable_unchecked<3>();
   for (py::ssize_t i = 0; i < view.shape(0); ++i) {
-    const Eigen::Matrix4d matrix = transforms[static_cast<std::size_t>(i)].matrix();
+    const Eigen::Matrix4d matrix = transforms[i].matrix();
     for (py::ssize_t r = 0; r < 4; ++r)
       for (py::ssize_t c = 0; c < 4; ++c) view(i, r, c) = matrix(r, c);
   }
@@ -224,8 +223,7 @@ py::dict build_in_memory(const GivenShapes& given, const MadeCorrespondence* mad
   usable.aligned = std::move(built.aligned);
   usable.names = built.landmarks.names;
   usable.scale = options.model.scale;
-  usable.space =
-      space_of_reference(given, registration.shapes[static_cast<std::size_t>(registration.reference)].name);
+  usable.space = space_of_reference(given, registration.shapes[registration.reference].name);
   usable.landmarks = built.landmarks.mesh;
   usable.lattice = registration.frame.reference.shape_map.map.lattice;
   py::dict out = model_parts(built.landmarks.points, std::move(usable), options.model.weights);

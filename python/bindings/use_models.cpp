@@ -8,12 +8,12 @@
 
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/inputs/read_cohort.hpp"
-#include "foramen/modelfiles/measures_file.hpp"
-#include "foramen/workflow/completion.hpp"
-#include "foramen/workflow/measure_shapes.hpp"
-#include "foramen/workflow/surface_projector.hpp"
+#include "inputs/read_cohort.hpp"
+#include "modelfiles/measures_file.hpp"
 #include "options.hpp"
+#include "workflow/completion.hpp"
+#include "workflow/measure_shapes.hpp"
+#include "workflow/surface_projector.hpp"
 
 namespace foramen::python {
 namespace {
@@ -83,8 +83,7 @@ py::tuple arrays_of(const MeasureDefinitions& definitions, const std::vector<Sha
   const auto shapes = static_cast<py::ssize_t>(all.size());
   const auto column = [&](const auto& value_of) {
     py::array_t<double> values(shapes);
-    for (py::ssize_t i = 0; i < shapes; ++i)
-      values.mutable_at(i) = value_of(all[static_cast<std::size_t>(i)]);
+    for (py::ssize_t i = 0; i < shapes; ++i) values.mutable_at(i) = value_of(all[i]);
     return values;
   };
   py::dict points, distances, areas;

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "foramen/apply/posterior.hpp"
+#include "apply/posterior.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
@@ -153,7 +153,7 @@ class PartFit {
       if (!taken(m)) continue;
       result.observations.push_back({m.vertex, m.partner.position,
                                      match_precision(m, landmarks[m.vertex].normal, scale, options_.match)});
-      result.seen[static_cast<std::size_t>(m.vertex)] = true;
+      result.seen[m.vertex] = true;
     }
     return result;
   }

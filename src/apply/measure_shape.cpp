@@ -88,8 +88,8 @@ Measurer::Measurer(const Mesh& mean, const MeasureDefinitions& definitions)
 }
 
 std::array<Vec3, 3> Measurer::triangle(std::span<const Vec3> landmarks, FaceId face) const {
-  const auto& [a, b, c] = triangles_[static_cast<std::size_t>(face.index)];
-  const auto at = [&](int landmark) { return landmarks[static_cast<std::size_t>(landmark)]; };
+  const auto& [a, b, c] = triangles_[face.index];
+  const auto at = [&](int landmark) { return landmarks[landmark]; };
   return {at(a), at(b), at(c)};
 }
 

@@ -1,4 +1,4 @@
-#include "foramen/apply/part_surface.hpp"
+#include "apply/part_surface.hpp"
 
 #include <array>
 #include <map>
@@ -39,7 +39,7 @@ void check(const TriangleSoup& soup) {
 std::vector<std::array<int, 3>> with_area(const TriangleSoup& soup) {
   std::vector<std::array<int, 3>> triangles;
   for (const auto& t : soup.triangles) {
-    const auto at = [&](std::size_t k) { return soup.points[static_cast<std::size_t>(t[k])]; };
+    const auto at = [&](std::size_t k) { return soup.points[t[k]]; };
     if (area({at(0), at(1), at(2)}) > 0) triangles.push_back(t);
   }
   return triangles;
@@ -71,7 +71,7 @@ Mesh part_surface(const TriangleSoup& soup) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [at, is_new] =
           vertex.try_emplace(sets.root(3 * f + k), static_cast<int>(part.points.size()));
-      if (is_new) part.points.push_back(soup.points[static_cast<std::size_t>(triangles[f][k])]);
+      if (is_new) part.points.push_back(soup.points[triangles[f][k]]);
       corners[k] = at->second;
     }
     part.triangles.push_back(corners);

@@ -1,4 +1,4 @@
-#include "foramen/apply/posterior.hpp"
+#include "apply/posterior.hpp"
 
 #include <string>
 #include <vector>
@@ -21,12 +21,12 @@ struct Seen {
 PosteriorCoefficients posterior_coefficients(const ShapeDistribution& prior,
                                              std::span<const LandmarkObservation> observations) {
   const Eigen::Index columns = prior.factor.cols();
-  std::vector<Seen> seen(static_cast<std::size_t>(prior.landmarks()));
+  std::vector<Seen> seen(prior.landmarks());
   for (const LandmarkObservation& o : observations) {
     if (o.landmark < 0 || o.landmark >= prior.landmarks())
       throw InvalidInput("posterior_coefficients: landmark " + std::to_string(o.landmark) +
                          " was observed, but there are " + std::to_string(prior.landmarks()));
-    Seen& at = seen[static_cast<std::size_t>(o.landmark)];
+    Seen& at = seen[o.landmark];
     at.precision += o.precision;
     at.pull += o.precision * (o.place - prior.mean.segment<3>(3 * o.landmark));
   }
@@ -34,7 +34,7 @@ PosteriorCoefficients posterior_coefficients(const ShapeDistribution& prior,
   Eigen::VectorXd pull(prior.mean.size());
   Eigen::Index used = 0;
   for (int i = 0; i < prior.landmarks(); ++i) {
-    const Seen& at = seen[static_cast<std::size_t>(i)];
+    const Seen& at = seen[i];
     if (at.precision.isZero(0)) continue;
     rows.middleRows<3>(used) = prior.factor.middleRows<3>(3 * i);
     weighted.middleRows<3>(used).noalias() = at.precision * prior.factor.middleRows<3>(3 * i);

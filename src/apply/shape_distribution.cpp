@@ -43,7 +43,7 @@ Eigen::MatrixXd smooth_columns(const Eigen::VectorXd& mean, double share,
 
 std::vector<double> standard_deviations(const ShapeDistribution& distribution) {
   std::vector<double> deviations;
-  deviations.reserve(static_cast<std::size_t>(distribution.landmarks()));
+  deviations.reserve(distribution.landmarks());
   for (int i = 0; i < distribution.landmarks(); ++i)
     deviations.push_back(distribution.factor.middleRows<3>(3 * i).norm());
   return deviations;

@@ -15,16 +15,14 @@ Mesh mesh_from_matrices(const Eigen::Ref<const Eigen::MatrixX3d>& points,
 
 Eigen::MatrixX3d matrix_of(std::span<const Vec3> points) {
   Eigen::MatrixX3d matrix(std::ssize(points), 3);
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    matrix.row(i) = points[static_cast<std::size_t>(i)].transpose();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) matrix.row(i) = points[i].transpose();
   return matrix;
 }
 
 Eigen::MatrixX3i matrix_of(std::span<const std::array<int, 3>> triangles) {
   Eigen::MatrixX3i matrix(std::ssize(triangles), 3);
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-    for (Eigen::Index k = 0; k < 3; ++k)
-      matrix(i, k) = triangles[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+    for (Eigen::Index k = 0; k < 3; ++k) matrix(i, k) = triangles[i][k];
   return matrix;
 }
 

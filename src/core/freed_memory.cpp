@@ -1,4 +1,4 @@
-#include "foramen/core/freed_memory.hpp"
+#include "core/freed_memory.hpp"
 
 #include <cstdlib>  // says whether the C library is glibc
 

@@ -64,14 +64,13 @@ Mesh build_mesh(TriangleSoup soup) {
     if (end - i == 2) {
       if (sorted[i].forward == sorted[i + 1].forward)
         throw TopologyError("the two triangles at " + edge + " are wound in opposite ways (not oriented)");
-      c.twin[static_cast<std::size_t>(sorted[i].halfedge)] = HalfedgeId(sorted[i + 1].halfedge);
-      c.twin[static_cast<std::size_t>(sorted[i + 1].halfedge)] = HalfedgeId(sorted[i].halfedge);
+      c.twin[sorted[i].halfedge] = HalfedgeId(sorted[i + 1].halfedge);
+      c.twin[sorted[i + 1].halfedge] = HalfedgeId(sorted[i].halfedge);
     } else {
       c.closed = false;
     }
     for (std::size_t k = i; k < end; ++k)
-      c.halfedge_edge[static_cast<std::size_t>(sorted[k].halfedge)] =
-          EdgeId(static_cast<int>(c.edge_halfedge.size()));
+      c.halfedge_edge[sorted[k].halfedge] = EdgeId(static_cast<int>(c.edge_halfedge.size()));
     c.edge_halfedge.push_back(HalfedgeId(sorted[i].halfedge));
     i = end;
   }
@@ -81,7 +80,7 @@ Mesh build_mesh(TriangleSoup soup) {
   std::vector<int> degree(soup.points.size(), 0);
   c.vertex_halfedge.resize(soup.points.size());
   for (std::size_t h = 0; h < halfedges; ++h) {
-    const auto v = static_cast<std::size_t>(soup.triangles[h / 3][h % 3]);
+    const std::size_t v = soup.triangles[h / 3][h % 3];
     ++degree[v];
     if (!c.vertex_halfedge[v].valid() || !c.twin[h].valid())
       c.vertex_halfedge[v] = HalfedgeId(static_cast<int>(h));
@@ -92,7 +91,7 @@ Mesh build_mesh(TriangleSoup soup) {
   mesh.positions_ = std::make_shared<const std::vector<Vec3>>(std::move(soup.points));
   mesh.connectivity_ = std::make_shared<const Mesh::Connectivity>(std::move(c));
   for (VertexId v : mesh.vertices()) {
-    const auto expected = static_cast<std::size_t>(degree[static_cast<std::size_t>(v.index)]);
+    const std::size_t expected = degree[v.index];
     if (expected == 0) throw TopologyError("vertex " + std::to_string(v.index) + " belongs to no triangle");
     if (mesh.fan(v).size() != expected)
       throw TopologyError("the triangles at vertex " + std::to_string(v.index) +

@@ -41,10 +41,7 @@ Eigen::MatrixXd coefficients_of(const Mesh& surface, const Eigen::MatrixXd& func
   for (Eigen::Index i = 0; i < coefficients.cols(); ++i) {
     Eigen::MatrixX3d displacement(functions.rows(), 3);
     for (VertexId v : surface.vertices())
-      displacement.row(v.index) =
-          (corresponding[static_cast<std::size_t>(i)][static_cast<std::size_t>(v.index)] -
-           surface.position(v))
-              .transpose();
+      displacement.row(v.index) = (corresponding[i][v.index] - surface.position(v)).transpose();
     const Eigen::MatrixX3d solved = factor.solve(weighted.transpose() * displacement);
     coefficients.col(i) = solved.reshaped();
   }

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <utility>
 
+#include "core/freed_memory.hpp"
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/freed_memory.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/core/stage_store.hpp"
@@ -60,7 +60,7 @@ MappedReference map_first_reference(std::span<const Shape> shapes, const Corresp
                                     const RunContext& ctx) {
   MappedReference found;
   for (const int candidate : reference_candidates(shapes, options.reference)) {
-    const Shape& shape = shapes[static_cast<std::size_t>(candidate)];
+    const Shape& shape = shapes[candidate];
     try {
       RegisterOptions how = options.registration;
       how.neighbours = {};  // of no effect on the reference
@@ -102,8 +102,8 @@ GroupRegistration register_each(std::span<const Shape> shapes, const MappedRefer
   const StageKey to_reference(ctx, "mapped reference", mapped.reference);
   std::atomic<int> done{0};
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    const Shape& shape = shapes[static_cast<std::size_t>(i)];
-    GroupMember& member = result.members[static_cast<std::size_t>(i)];
+    const Shape& shape = shapes[i];
+    GroupMember& member = result.members[i];
     const auto start = std::chrono::steady_clock::now();
     try {
       if (i == mapped.shape)
@@ -185,9 +185,9 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
   return_freed_memory();
   const double reference_seconds = seconds_since(start);
   GroupRegistration group = register_all(shapes, mapped, options, ctx);
-  const std::string& reference_failure = group.members[static_cast<std::size_t>(mapped.shape)].failure;
+  const std::string& reference_failure = group.members[mapped.shape].failure;
   if (!reference_failure.empty())
-    throw ConvergenceError("the reference " + shapes[static_cast<std::size_t>(mapped.shape)].name +
+    throw ConvergenceError("the reference " + shapes[mapped.shape].name +
                            " cannot be registered with the mean of all shapes (" + reference_failure +
                            "); name another reference");
 

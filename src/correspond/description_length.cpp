@@ -30,8 +30,7 @@ Eigen::MatrixXd weighted_deviations(const std::vector<std::vector<Vec3>>& aligne
   const auto points = static_cast<Eigen::Index>(roots.size());
   Eigen::MatrixXd x(3 * points, static_cast<Eigen::Index>(aligned.size()));
   for (Eigen::Index i = 0; i < x.cols(); ++i)
-    for (Eigen::Index k = 0; k < points; ++k)
-      x.block<3, 1>(3 * k, i) = roots[k] * aligned[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+    for (Eigen::Index k = 0; k < points; ++k) x.block<3, 1>(3 * k, i) = roots[k] * aligned[i][k];
   x.colwise() -= x.rowwise().mean().eval();
   return x;
 }
@@ -46,8 +45,7 @@ DescriptionLength description_length(const std::vector<std::vector<Vec3>>& align
   const auto shapes = static_cast<Eigen::Index>(aligned.size());
   const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
   Eigen::VectorXd roots(points);
-  for (Eigen::Index k = 0; k < points; ++k)
-    roots[k] = std::sqrt(weights[static_cast<std::size_t>(k)] / total);
+  for (Eigen::Index k = 0; k < points; ++k) roots[k] = std::sqrt(weights[k] / total);
   const Eigen::MatrixXd x = weighted_deviations(aligned, roots);
   const double divisor = static_cast<double>(shapes - 1), cut = options.cut_mm2;
 
@@ -66,10 +64,10 @@ DescriptionLength description_length(const std::vector<std::vector<Vec3>>& align
   result.attractors.resize(aligned.size());
   for (Eigen::Index i = 0; i < shapes; ++i)
     for (Eigen::Index k = 0; k < points; ++k) {
-      const auto shape = static_cast<std::size_t>(i);
+      const std::size_t shape = i;
       const Vec3 s = sloped.block<3, 1>(3 * k, i);
       result.slope[shape].push_back(2 / divisor * roots[k] * s);
-      result.attractors[shape].push_back(aligned[shape][static_cast<std::size_t>(k)] - cut / roots[k] * s);
+      result.attractors[shape].push_back(aligned[shape][k] - cut / roots[k] * s);
     }
   return result;
 }

@@ -1,4 +1,4 @@
-#include "foramen/correspond/description_objective.hpp"
+#include "correspond/description_objective.hpp"
 
 #include <utility>
 
@@ -20,7 +20,7 @@ DescriptionObjective::DescriptionObjective(const Mesh& shape, const TorusLocator
   for (FaceId f : surface.faces()) {
     const auto plane = plane_triangle(surface, template_map, f);
     const auto c = surface.corners(f);
-    const auto at = [&](std::size_t k) { return attractor_[static_cast<std::size_t>(c[k].index)]; };
+    const auto at = [&](std::size_t k) { return attractor_[c[k].index]; };
     Mat2 edges;
     edges << plane[1] - plane[0], plane[2] - plane[0];
     Eigen::Matrix<double, 3, 2> sides;
@@ -34,8 +34,7 @@ CorrespondenceObjective::Term DescriptionObjective::term(VertexId v, const Vec2&
   const auto c = locator_.mesh().corners(place.face);
   Vec3 residual = -shape_.position(v);
   for (std::size_t k = 0; k < 3; ++k)
-    residual +=
-        place.barycentric[static_cast<Eigen::Index>(k)] * attractor_[static_cast<std::size_t>(c[k].index)];
+    residual += place.barycentric[static_cast<Eigen::Index>(k)] * attractor_[c[k].index];
   const Eigen::Matrix<double, 3, 2>& slope = slopes_[place.face];
   return {residual.squaredNorm(), 2 * slope.transpose() * residual, 2 * slope.transpose() * slope};
 }

@@ -6,8 +6,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/match/oriented_points.hpp"
-#include "foramen/parameterize/initial_map.hpp"
-#include "foramen/topology/linking.hpp"
+#include "parameterize/initial_map.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 

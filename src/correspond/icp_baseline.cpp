@@ -1,4 +1,4 @@
-#include "foramen/correspond/icp_baseline.hpp"
+#include "correspond/icp_baseline.hpp"
 
 #include <string>
 

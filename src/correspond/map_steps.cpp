@@ -4,7 +4,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/refine_map.hpp"
+#include "parameterize/refine_map.hpp"
 
 namespace foramen {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "foramen/correspond/register_shape.hpp"
-#include "foramen/simplify/working_mesh.hpp"
+#include "simplify/working_mesh.hpp"
 
 namespace foramen {
 

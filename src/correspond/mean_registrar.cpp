@@ -12,7 +12,7 @@ namespace {
 Eigen::Matrix2i periods(const TorusMap& map, const LoopSystem& loops) {
   const Cocycle form{map.jumps};
   Eigen::Matrix2i result;
-  for (int k = 0; k < 2; ++k) result.col(k) = integrate(form, loops.loops[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 2; ++k) result.col(k) = integrate(form, loops.loops[k]);
   return result;
 }
 

@@ -23,9 +23,8 @@ MeanTemplate mean_template(std::span<const TorusLocator* const> shapes, const La
                            const RunContext& ctx, const TemplateOptions& options) {
   const TorusGrid grid = make_torus_grid(lattice, options.grid_points);
   std::vector<std::vector<Vec3>> lifted(shapes.size());
-  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    lifted[static_cast<std::size_t>(i)] = lift_to_surface(*shapes[static_cast<std::size_t>(i)], grid.turns);
-  });
+  parallel_for(static_cast<int>(shapes.size()), ctx,
+               [&](int i) { lifted[i] = lift_to_surface(*shapes[i], grid.turns); });
   ProcrustesResult mean = procrustes(lifted, ScaleMode::keep);
   const Mesh surface = build_mesh({mean.mean, grid.triangles});
   const TorusMap map{lattice, VertexMap<Vec2>(grid.turns), grid.jumps};

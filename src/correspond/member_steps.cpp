@@ -3,9 +3,9 @@
 #include <optional>
 #include <utility>
 
+#include "correspond/description_objective.hpp"
 #include "correspond/map_steps.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/description_objective.hpp"
 #include "foramen/match/oriented_points.hpp"
 
 namespace foramen {
@@ -18,8 +18,7 @@ Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vec
   std::vector<Vec3> positions;
   positions.reserve(bent.size());
   for (VertexId v : shape.vertices())
-    positions.push_back(shape.position(v) + surface.mesh.position(near[v]) -
-                        bent[static_cast<std::size_t>(near[v].index)]);
+    positions.push_back(shape.position(v) + surface.mesh.position(near[v]) - bent[near[v].index]);
   return shape.with_positions(std::move(positions));
 }
 

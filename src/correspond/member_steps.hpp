@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "correspond/template_metric.hpp"
 #include "foramen/core/stage_store.hpp"
 #include "foramen/correspond/register_group.hpp"
-#include "foramen/correspond/template_metric.hpp"
-#include "foramen/simplify/working_mesh.hpp"
+#include "simplify/working_mesh.hpp"
 
 namespace foramen {
 

@@ -6,8 +6,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/point_index.hpp"
-#include "foramen/topology/linking.hpp"
 #include "foramen/topology/periods.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 namespace {

@@ -70,14 +70,14 @@ class GroupRegistrar {
   GroupRegistration run() {
     const PreparedTemplate first = reference_template(reference_, options_, ctx_);
     for_each_member("simplify", [&](int i) {
-      Member& member = members_[static_cast<std::size_t>(i)];
+      Member& member = members_[i];
       const StageKey key(ctx_, "working mesh", *member.input, options_.working_vertices);
       member.working = kept<WorkingMesh>(ctx_, key, [&] { return steps_.simplified(*member.input); });
       member.made_from = key;
     });
     const StageKey to_reference(ctx_, "group's reference", reference_, options_of_first(options_));
     advance_each_member("register", to_reference, [&](int i) {
-      Member& member = members_[static_cast<std::size_t>(i)];
+      Member& member = members_[i];
       steps_.begin(member, alignment_of(i), first);
     });
     const PreparedTemplate* last = &first;
@@ -98,11 +98,11 @@ class GroupRegistrar {
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
       last = mean.get();
       group = {round + 1, std::move(next.surface), std::move(next.grid), {}};
-      for_each_member("place", [&](int i) { steps_.place(members_[static_cast<std::size_t>(i)], *mean); });
+      for_each_member("place", [&](int i) { steps_.place(members_[i], *mean); });
       if (options_.bending == Bending::cohort) learn_priors(*mean);
       group.prior = priors_.of_newcomer();
       advance_each_member("round " + std::to_string(round + 1), to_last, [&](int i) {
-        Member& member = members_[static_cast<std::size_t>(i)];
+        Member& member = members_[i];
         steps_.again(member, *mean, priors_.of_member(member.place_in_priors));
       });
     }
@@ -110,7 +110,7 @@ class GroupRegistrar {
       const StageKey described(ctx_, "group's description", to_last, all_made_from());
       describe(*last);
       advance_each_member("describe " + std::to_string(round + 1), described, [&](int i) {
-        Member& member = members_[static_cast<std::size_t>(i)];
+        Member& member = members_[i];
         steps_.improve(member, transformed(member.working.mesh, member.to_template), *last);
       });
     }
@@ -118,8 +118,7 @@ class GroupRegistrar {
                                   ? StageKey(ctx_, "group's description", to_last, all_made_from())
                                   : to_last;
     if (options_.description_rounds > 0) describe(*last);
-    advance_each_member("finish", finished,
-                        [&](int i) { steps_.finish(members_[static_cast<std::size_t>(i)], *last); });
+    advance_each_member("finish", finished, [&](int i) { steps_.finish(members_[i], *last); });
     for (std::size_t i = 0; i < members_.size(); ++i)
       if (result_.members[i].failure.empty()) result_.members[i].registered = std::move(members_[i].result);
     return std::move(result_);
@@ -130,7 +129,7 @@ class GroupRegistrar {
   void for_each_member(const std::string& stage, const std::function<void(int)>& body) {
     std::atomic<int> done{0};
     parallel_for(static_cast<int>(members_.size()), ctx_, [&](int i) {
-      GroupMember& member = result_.members[static_cast<std::size_t>(i)];
+      GroupMember& member = result_.members[i];
       if (!member.failure.empty()) return;
       const auto start = std::chrono::steady_clock::now();
       try {
@@ -152,7 +151,7 @@ class GroupRegistrar {
   void advance_each_member(const std::string& stage, const StageKey& to,
                            const std::function<void(int)>& step) {
     for_each_member(stage, [&](int i) {
-      Member& member = members_[static_cast<std::size_t>(i)];
+      Member& member = members_[i];
       MemberState& state = member;
       member.made_from =
           StageKey(ctx_, stage.substr(0, stage.find(' ')), member.made_from, to, i == reference_index_);
@@ -171,8 +170,7 @@ class GroupRegistrar {
   }
 
   Alignment alignment_of(int i) const {
-    if (i != reference_index_)
-      return align(*members_[static_cast<std::size_t>(i)].input, reference_.mesh(), ctx_.with_threads(1));
+    if (i != reference_index_) return align(*members_[i].input, reference_.mesh(), ctx_.with_threads(1));
     Alignment identity;
     identity.converged = true;
     return identity;
@@ -181,7 +179,7 @@ class GroupRegistrar {
   MeanTemplate next_mean() {
     std::vector<std::unique_ptr<TorusLocator>> locators(members_.size());
     for_each_member("mean", [&](int i) {
-      const auto k = static_cast<std::size_t>(i);
+      const std::size_t k = i;
       locators[k] = std::make_unique<TorusLocator>(members_[k].working.mesh, members_[k].map.map);
     });
     std::vector<const TorusLocator*> of_present;

@@ -13,7 +13,7 @@ namespace {
 std::vector<std::vector<NearPoint>> neighbours(const Mesh& shape, const Mesh& reference,
                                                NeighbourSearch search, int count) {
   std::vector<std::vector<NearPoint>> found;
-  found.reserve(static_cast<std::size_t>(shape.vertex_count()));
+  found.reserve(shape.vertex_count());
   if (search == NeighbourSearch::points) {
     const PointIndex index(reference.positions());
     for (VertexId v : shape.vertices()) found.push_back(index.nearest(shape.position(v), count));
@@ -36,7 +36,7 @@ SoftNeighbours::SoftNeighbours(const Mesh& aligned_shape, const Mesh& reference,
   targets_.reserve(found.size() * static_cast<std::size_t>(count_));
   weights_.reserve(targets_.capacity());
   for (VertexId v : aligned_shape.vertices()) {
-    const auto& near = found[static_cast<std::size_t>(v.index)];
+    const auto& near = found[v.index];
     const Vec3& p = aligned_shape.position(v);
     const double closest = (reference.position(VertexId(near.front().index)) - p).norm();
     const double offset = options.weights == NeighbourWeights::relative ? closest : 0.0;

@@ -1,4 +1,4 @@
-#include "foramen/correspond/template_metric.hpp"
+#include "correspond/template_metric.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/distortion.hpp"
+#include "parameterize/distortion.hpp"
 
 namespace foramen {
 namespace {

@@ -6,7 +6,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/match/oriented_points.hpp"
-#include "foramen/topology/linking.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 namespace {
@@ -72,8 +72,8 @@ HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& for
   VertexPaths paths(aligned_shape, lengths);
   HomologyTransfer transfer;
   for (int k = 0; k < 2; ++k) {
-    const EdgeLoop& loop = reference.loops.loops[static_cast<std::size_t>(k)];
-    auto& moved = transfer.transferred[static_cast<std::size_t>(k)];
+    const EdgeLoop& loop = reference.loops.loops[k];
+    auto& moved = transfer.transferred[k];
     moved = transfer_loop(aligned_shape, vertices, paths, reference, reference_normals, loop);
     transfer.a.col(k) = integrate(form, moved);
   }
@@ -104,8 +104,7 @@ void require_reference_homology(const Mesh& mesh, const TorusMap& map, const Vec
     if (distance(v) < distance(nearest)) nearest = v;
   const LoopSystem loops = oriented(mesh, greedy_loops(mesh, nearest, edge_lengths(mesh)));
   Eigen::Matrix2i periods = Eigen::Matrix2i::Zero();
-  for (int k = 0; k < 2; ++k)
-    periods.col(k) = integrate({map.jumps}, loops.loops[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 2; ++k) periods.col(k) = integrate({map.jumps}, loops.loops[k]);
   const int det = periods(0, 0) * periods(1, 1) - periods(0, 1) * periods(1, 0);
   const Eigen::Matrix2i seifert = seifert_matrix(mesh, loops.loops[0], loops.loops[1]);
   if (det == 1 && seifert_test(inverse_unimodular(periods), seifert, reference_seifert)) return;

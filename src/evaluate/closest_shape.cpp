@@ -45,7 +45,7 @@ TrainingSurfaces::TrainingSurfaces(MeasuredSurface middle_surface, const std::ve
       starts(inputs.size()),
       from_middle(inputs.size()) {
   parallel_for(static_cast<int>(inputs.size()), ctx, [&](int i) {
-    const auto s = static_cast<std::size_t>(i);
+    const std::size_t s = i;
     hausdorff_distance(middle, shapes[s], infinity, starts[s]);
     for (const double d : sample_distances(shapes[s], middle))
       from_middle[s].push_back(static_cast<float>(d));

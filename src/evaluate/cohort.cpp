@@ -58,7 +58,7 @@ void check_cohort(const CorrespondingCohort& cohort) {
 }
 
 Mesh corresponding_mesh(const CorrespondingCohort& cohort, int shape) {
-  return build_mesh({cohort.corresponding[static_cast<std::size_t>(shape)], cohort.triangles});
+  return build_mesh({cohort.corresponding[shape], cohort.triangles});
 }
 
 Mesh transformed(const Mesh& mesh, const SimilarityTransform& transform) {

@@ -81,8 +81,8 @@ bool DistanceLattice::lower_bounds(const Vec3& p, std::span<float> bounds) const
     if (row == nothing) return false;
     const double wx = right ? place.t[0] : 1 - place.t[0], wy = back ? place.t[1] : 1 - place.t[1],
                  wz = up ? place.t[2] : 1 - place.t[2];
-    rows[static_cast<std::size_t>(corner)] = squared_.data() + static_cast<std::size_t>(row) * width_;
-    weights[static_cast<std::size_t>(corner)] = static_cast<float>(wx * wy * wz);
+    rows[corner] = squared_.data() + static_cast<std::size_t>(row) * width_;
+    weights[corner] = static_cast<float>(wx * wy * wz);
   }
   double spread = 0;
   for (const double t : place.t) spread += t * (1 - t);

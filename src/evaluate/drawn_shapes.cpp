@@ -7,7 +7,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/spatial/flips.hpp"
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen {
 namespace {
@@ -47,11 +47,11 @@ DrawnShapes drawn_shapes(const ShapeModel& model, const DrawnShapesOptions& opti
   const TriangleTree of_mean(build_mesh({unflattened(model.mean()), model.triangles()}));
   const Rng root(options.seed);
   DrawnShapes result;
-  result.draws.resize(static_cast<std::size_t>(options.draws));
+  result.draws.resize(options.draws);
   detail::StageProgress progress(ctx, "drawn shapes", options.draws);
   parallel_for(options.draws, ctx, [&](int i) {
     const Eigen::VectorXd b = truncated_scores(model, root.fork(static_cast<std::uint64_t>(i)));
-    result.draws[static_cast<std::size_t>(i)] = measure(of_mean, model.reconstruct(b));
+    result.draws[i] = measure(of_mean, model.reconstruct(b));
     progress.finished_one();
   });
   result.self_intersecting = share(result.draws, &DrawnShape::self_intersections);

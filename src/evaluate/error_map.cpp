@@ -18,17 +18,17 @@ std::vector<int> indices(const std::vector<FaceId>& faces) {
 
 ErrorMap error_map(const TriangleTree& corresponding, const TriangleTree& input, const SampledFlips& flips) {
   const Mesh& landmarks = corresponding.mesh();
-  ErrorMap map{std::vector<double>(static_cast<std::size_t>(landmarks.vertex_count()), 0.0),
-               indices(flips.plain), indices(flips.confirmed)};
+  ErrorMap map{std::vector<double>(landmarks.vertex_count(), 0.0), indices(flips.plain),
+               indices(flips.confirmed)};
   const auto count = [&](VertexId landmark, const ClosestPoint& closest) {
-    double& largest = map.landmark_mm[static_cast<std::size_t>(landmark.index)];
+    double& largest = map.landmark_mm[landmark.index];
     largest = std::max(largest, std::sqrt(closest.squared_distance));
   };
   for (const Vec3& p : input.mesh().positions()) {
     const ClosestPoint closest = corresponding.closest(p);
     int corner = 0;
     closest.on.barycentric.maxCoeff(&corner);
-    count(landmarks.corners(closest.on.face)[static_cast<std::size_t>(corner)], closest);
+    count(landmarks.corners(closest.on.face)[corner], closest);
   }
   for (VertexId v : landmarks.vertices()) count(v, input.closest(landmarks.position(v)));
   for (EdgeId e : landmarks.edges()) {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <map>
 
-#include "foramen/core/freed_memory.hpp"
+#include "core/freed_memory.hpp"
 
 namespace foramen {
 namespace {

@@ -24,8 +24,7 @@ AlignedModel model_without(const CorrespondingCohort& cohort, const std::vector<
                            const std::vector<double>& weights) {
   std::vector<std::vector<Vec3>> others;
   for (int i = 0; i < cohort.size(); ++i)
-    if (std::find(group.begin(), group.end(), i) == group.end())
-      others.push_back(cohort.corresponding[static_cast<std::size_t>(i)]);
+    if (std::find(group.begin(), group.end(), i) == group.end()) others.push_back(cohort.corresponding[i]);
   AlignedModel partial;
   partial.alignment = procrustes(others, scale, weights);
   partial.model = model_of_aligned(partial.alignment.aligned, cohort.triangles, weights);
@@ -50,13 +49,13 @@ std::vector<std::vector<int>> left_out_together(int shapes, const std::vector<st
       groups.push_back({i});
       continue;
     }
-    const std::string& subject = subjects[static_cast<std::size_t>(i)];
+    const std::string& subject = subjects[i];
     const auto known = std::find(known_subjects.begin(), known_subjects.end(), subject);
     if (known == known_subjects.end()) {
       known_subjects.push_back(subject);
       groups.push_back({i});
     } else {
-      groups[static_cast<std::size_t>(known - known_subjects.begin())].push_back(i);
+      groups[known - known_subjects.begin()].push_back(i);
     }
   }
   return groups;
@@ -115,8 +114,7 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
                                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
   const int remaining = cohort.size() - static_cast<int>(largest->size());
   if (remaining < 2)
-    throw InvalidInput("generalization: without " +
-                       cohort.subjects[static_cast<std::size_t>(largest->front())] + " only " +
+    throw InvalidInput("generalization: without " + cohort.subjects[largest->front()] + " only " +
                        std::to_string(remaining) + " shapes remain; a model needs 2");
 
   const std::vector<double> weights =
@@ -128,7 +126,7 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
   // A model is as large as all its shapes, and there are as many as groups: each lives only while its group
   // is measured.
   parallel_for(static_cast<int>(groups.size()), ctx, [&](int g) {
-    const std::vector<int>& group = groups[static_cast<std::size_t>(g)];
+    const std::vector<int>& group = groups[g];
     std::optional<AlignedModel> model;  // made for the first shape that no former run has measured
     std::mutex making;
     const auto model_of_others = [&]() -> const AlignedModel& {
@@ -137,8 +135,8 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
       return *model;
     };
     parallel_for(static_cast<int>(group.size()), ctx, [&](int k) {
-      const int i = group[static_cast<std::size_t>(k)];
-      const auto s = static_cast<std::size_t>(i);
+      const int i = group[k];
+      const std::size_t s = i;
       errors[s] = kept<std::vector<ShapeError>>(
           ctx, StageKey(ctx, "generalization", of_cohort, counts, group, i), [&] {
             return unseen_errors(cohort.corresponding[s], cohort.inputs[s], model_of_others(), counts,

@@ -19,8 +19,7 @@ constexpr int cluster_count = 1000;
 /// Halves ranges of faces along the widest axis of their centroids until they are small.
 class FaceGroups {
  public:
-  FaceGroups(const Mesh& mesh, int largest)
-      : largest_(largest), order_(static_cast<std::size_t>(mesh.face_count())) {
+  FaceGroups(const Mesh& mesh, int largest) : largest_(largest), order_(mesh.face_count()) {
     std::iota(order_.begin(), order_.end(), 0);
     for (FaceId f : mesh.faces()) {
       const auto t = mesh.triangle(f);
@@ -32,7 +31,7 @@ class FaceGroups {
 
  private:
   using Iterator = std::vector<int>::iterator;
-  const Vec3& centroid(int face) const { return centroids_[static_cast<std::size_t>(face)]; }
+  const Vec3& centroid(int face) const { return centroids_[face]; }
 
   void split(Iterator first, Iterator last) {
     if (last - first <= largest_) {
@@ -83,7 +82,7 @@ void MeasuredSurface::settle() {
 void MeasuredSurface::gather_clusters() {
   const Mesh& mesh = tree_.mesh();
   const auto groups = FaceGroups(mesh, std::max(1, mesh.face_count() / cluster_count)).take();
-  cluster_of_face_.resize(static_cast<std::size_t>(mesh.face_count()));
+  cluster_of_face_.resize(mesh.face_count());
   corners_of_cluster_.resize(groups.size());
   owned_vertices_.resize(groups.size());
   clusters_.resize(groups.size());
@@ -91,7 +90,7 @@ void MeasuredSurface::gather_clusters() {
   for (std::size_t c = 0; c < groups.size(); ++c) {
     std::vector<int>& corners = corners_of_cluster_[c];
     for (const int face : groups[c]) {
-      cluster_of_face_[static_cast<std::size_t>(face)] = static_cast<int>(c);
+      cluster_of_face_[face] = static_cast<int>(c);
       for (const VertexId v : mesh.corners(FaceId(face))) corners.push_back(v.index);
     }
     std::sort(corners.begin(), corners.end());
@@ -108,7 +107,7 @@ void MeasuredSurface::refresh() {
   std::vector<int> samples_before(clusters_.size() + 1, 0);  // first counted, then summed
   for (const SurfacePoint& p : places) {
     samples_.push_back(position(mesh, p));
-    ++samples_before[static_cast<std::size_t>(cluster_of_face_[static_cast<std::size_t>(p.face.index)]) + 1];
+    ++samples_before[static_cast<std::size_t>(cluster_of_face_[p.face.index]) + 1];
   }
   std::partial_sum(samples_before.begin(), samples_before.end(), samples_before.begin());
 
@@ -128,16 +127,15 @@ void MeasuredSurface::refresh() {
       squared = std::max(squared, (mesh.position(VertexId(v)) - cluster.centre).squaredNorm());
     cluster.radius = std::sqrt(squared);
     cluster.first = first;
-    for (const int v : owned_vertices_[c])
-      points_[static_cast<std::size_t>(first++)] = mesh.position(VertexId(v));
+    for (const int v : owned_vertices_[c]) points_[first++] = mesh.position(VertexId(v));
     cluster.count = static_cast<int>(owned_vertices_[c].size()) + samples_before[c + 1] - samples_before[c];
     first = cluster.first + cluster.count;
   }
   std::vector<int> filled(clusters_.size(), 0);
   for (std::size_t s = 0; s < places.size(); ++s) {
-    const auto c = static_cast<std::size_t>(cluster_of_face_[static_cast<std::size_t>(places[s].face.index)]);
+    const std::size_t c = cluster_of_face_[places[s].face.index];
     const int at = clusters_[c].first + static_cast<int>(owned_vertices_[c].size()) + filled[c]++;
-    points_[static_cast<std::size_t>(at)] = samples_[s];
+    points_[at] = samples_[s];
   }
 }
 

@@ -35,8 +35,7 @@ class MeasuredSurface {
   std::span<const PointCluster> clusters() const { return clusters_; }
   /// Vertices and samples, cluster after cluster.
   std::span<const Vec3> points(const PointCluster& cluster) const {
-    return std::span(points_).subspan(static_cast<std::size_t>(cluster.first),
-                                      static_cast<std::size_t>(cluster.count));
+    return std::span(points_).subspan(cluster.first, static_cast<std::size_t>(cluster.count));
   }
 
  private:

@@ -51,8 +51,7 @@ struct PackedTriangles::Builder {
   std::vector<int> order;
   std::vector<Vec3> centroids;
 
-  explicit Builder(PackedTriangles& target)
-      : tree(target), order(static_cast<std::size_t>(target.mesh_.face_count())) {
+  explicit Builder(PackedTriangles& target) : tree(target), order(target.mesh_.face_count()) {
     std::iota(order.begin(), order.end(), 0);
     for (FaceId f : tree.mesh_.faces()) {
       const auto t = tree.mesh_.triangle(f);
@@ -70,15 +69,13 @@ struct PackedTriangles::Builder {
     for (std::size_t k = 0; k < 4; ++k)
       if (cut[k] < cut[k + 1])
         child[k] = cut[k + 1] - cut[k] <= 4 ? packet(cut[k], cut[k + 1]) : build(cut[k], cut[k + 1]);
-    tree.nodes_[static_cast<std::size_t>(index)].child = child;
+    tree.nodes_[index].child = child;
     return index;
   }
 
   int packet(int first, int last) {
     Packet packet{};
-    for (int k = 0; k < 4; ++k)
-      packet.face[static_cast<std::size_t>(k)] =
-          order[static_cast<std::size_t>(std::min(first + k, last - 1))];
+    for (int k = 0; k < 4; ++k) packet.face[k] = order[std::min(first + k, last - 1)];
     tree.packets_.push_back(packet);
     return ~static_cast<int>(tree.packets_.size() - 1);
   }
@@ -86,11 +83,11 @@ struct PackedTriangles::Builder {
   /// Where the second half begins; `last` if the range is one packet.
   int split(int first, int last) {
     if (last - first <= 4) return last;
-    const auto centroid = [&](int face) -> const Vec3& { return centroids[static_cast<std::size_t>(face)]; };
+    const auto centroid = [&](int face) -> const Vec3& { return centroids[face]; };
     Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (int i = first; i < last; ++i) {
-      low = low.cwiseMin(centroid(order[static_cast<std::size_t>(i)]));
-      high = high.cwiseMax(centroid(order[static_cast<std::size_t>(i)]));
+      low = low.cwiseMin(centroid(order[i]));
+      high = high.cwiseMax(centroid(order[i]));
     }
     Eigen::Index axis = 0;
     (high - low).maxCoeff(&axis);
@@ -153,9 +150,9 @@ void PackedTriangles::refresh() {
       if (node.child[k] == no_child) {
         // nothing: the box stays inside out
       } else if (node.child[k] >= 0) {
-        std::tie(low, high) = box[static_cast<std::size_t>(node.child[k])];
+        std::tie(low, high) = box[node.child[k]];
       } else {
-        for (const int face : packets_[static_cast<std::size_t>(~node.child[k])].face)
+        for (const int face : packets_[~node.child[k]].face)
           for (const Vec3& p : mesh_.triangle(FaceId(face))) {
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
@@ -251,7 +248,7 @@ void PackedTriangles::traverse(const Query& query, const float& limit, const Vis
   int current = 0;
   for (;;) {
     if (current >= 0) {
-      const Node& node = nodes_[static_cast<std::size_t>(current)];
+      const Node& node = nodes_[current];
       const Floats to_box = query.to_boxes(node);
       // 1 + d^2 bounds 2 d: what rounding of coordinates may do to a squared distance.
       const float bound = limit + rounding_ * (1.0f + limit);
@@ -277,7 +274,7 @@ void PackedTriangles::traverse(const Query& query, const float& limit, const Vis
         child[nearest] = child[top];
         continue;
       }
-    } else if (visit(packets_[static_cast<std::size_t>(~current)])) {
+    } else if (visit(packets_[~current])) {
       return;
     }
     const float bound = limit + rounding_ * (1.0f + limit);

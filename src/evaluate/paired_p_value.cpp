@@ -1,4 +1,4 @@
-#include "foramen/evaluate/paired_p_value.hpp"
+#include "evaluate/paired_p_value.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -40,7 +40,7 @@ double enumerated(Quanta q, std::int64_t observed) {
   std::int64_t sum = observed;
   std::uint64_t as_extreme = 1;
   for (std::uint64_t i = 1; i < patterns; ++i) {
-    std::int64_t& flipped = q[static_cast<std::size_t>(std::countr_zero(i))];
+    std::int64_t& flipped = q[std::countr_zero(i)];
     sum -= 2 * flipped;
     flipped = -flipped;
     if (std::abs(sum) >= std::abs(observed)) ++as_extreme;

@@ -19,7 +19,7 @@ class FarthestPoint {
 
   /// Raises `largest` by the points of one cluster; true if it did.
   bool raise(int index, double& largest) const {
-    const PointCluster& cluster = from_.clusters()[static_cast<std::size_t>(index)];
+    const PointCluster& cluster = from_.clusters()[index];
     const double enough = largest * (1 - bound_margin) - cluster.radius;
     if (known_.surely_within(cluster.centre, enough) || to_.any_within(cluster.centre, enough)) return false;
     const double from_centre = std::sqrt(to_.squared_distance(cluster.centre)),

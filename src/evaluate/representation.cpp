@@ -3,7 +3,7 @@
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/spatial/flips.hpp"
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen {
 namespace {
@@ -18,7 +18,7 @@ Estimate estimate_of(const std::vector<ShapeRepresentation>& shapes, Value value
 
 ShapeRepresentation measure(const CorrespondingCohort& cohort, const AlignedCohort& aligned, int shape,
                             const Mesh& mean, const SurfaceDistanceOptions& options) {
-  const auto s = static_cast<std::size_t>(shape);
+  const std::size_t s = shape;
   const Mesh corresponding = corresponding_mesh(cohort, shape);
   const TriangleTree surface(corresponding), input(cohort.inputs[s]);
   const SampledFlips flips = sampled_flips(corresponding, input);
@@ -44,7 +44,7 @@ Representation representation(const CorrespondingCohort& cohort, const AlignedCo
   result.shapes.resize(cohort.corresponding.size());
   detail::StageProgress progress(ctx, "representation", cohort.size());
   parallel_for(cohort.size(), ctx, [&](int i) {
-    result.shapes[static_cast<std::size_t>(i)] = measure(cohort, aligned, i, mean, options);
+    result.shapes[i] = measure(cohort, aligned, i, mean, options);
     progress.finished_one();
   });
   result.mean_surface = estimate_of(result.shapes, [](const auto& s) { return s.distance.mean; });

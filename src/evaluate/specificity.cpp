@@ -151,10 +151,10 @@ Specificity specificity(const AlignedCohort& cohort, int last_mode, const Specif
   const StageKey of_cohort(ctx, "aligned cohort", cohort.alignment.aligned, cohort.inputs,
                            cohort.model.triangles(), cohort.model.weights(), counts);
   const Rng root(options.seed);
-  std::vector<DrawBlock> blocks(static_cast<std::size_t>((options.draws + block_draws - 1) / block_draws));
+  std::vector<DrawBlock> blocks((options.draws + block_draws - 1) / block_draws);
   detail::StageProgress progress(ctx, "specificity", options.draws);
   parallel_for(static_cast<int>(blocks.size()), ctx, [&](int b) {
-    DrawBlock& block = blocks[static_cast<std::size_t>(b)];
+    DrawBlock& block = blocks[b];
     const int first = b * block_draws, last = std::min(options.draws, first + block_draws);
     const StageKey key(ctx, "specificity", of_cohort, options.seed, options.surface_samples,
                        options.hausdorff, options.mean_surface, first, last);

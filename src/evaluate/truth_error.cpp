@@ -35,8 +35,7 @@ class TrueMap {
  public:
   TrueMap(const TrueCorrespondence& truth, const RunContext& ctx) : meshes_(truth.shapes.size()) {
     parallel_for(static_cast<int>(truth.shapes.size()), ctx, [&](int s) {
-      meshes_[static_cast<std::size_t>(s)] =
-          build_mesh({truth.shapes[static_cast<std::size_t>(s)], truth.triangles});
+      meshes_[s] = build_mesh({truth.shapes[s], truth.triangles});
     });
   }
   /// Where points of shape `from` lie on its truth mesh.
@@ -57,7 +56,7 @@ class TrueMap {
 std::vector<Errors> errors_of(const Landmarks& landmarks, const TrueMap& map, const RunContext& ctx) {
   std::vector<Errors> errors(landmarks.size());
   parallel_for(static_cast<int>(landmarks.size()), ctx, [&](int shape) {
-    const auto from = static_cast<std::size_t>(shape);
+    const std::size_t from = shape;
     const auto places = map.places(landmarks[from], from);
     for (std::size_t to = 0; to < landmarks.size(); ++to)
       for (std::size_t i = 0; i < places.size() && to != from; ++i)
@@ -88,7 +87,7 @@ Landmarks carried_landmarks(const CorrespondingCohort& cohort, const TrueMap& ma
   const auto places = map.places(cohort.corresponding[0], 0);
   Landmarks landmarks(cohort.corresponding.size());
   parallel_for(cohort.size(), ctx, [&](int shape) {
-    const auto s = static_cast<std::size_t>(shape);
+    const std::size_t s = shape;
     const TriangleTree input(cohort.inputs[s]);
     for (const SurfacePoint& place : places) landmarks[s].push_back(input.closest(map.at(place, s)).point);
   });

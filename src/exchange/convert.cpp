@@ -1,4 +1,4 @@
-#include "foramen/exchange/convert.hpp"
+#include "exchange/convert.hpp"
 
 #include "exchange/exchange_set.hpp"
 #include "foramen/core/error.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "foramen/exchange/convert.hpp"
+#include "exchange/convert.hpp"
 #include "foramen/io/statismo_file.hpp"
 
 namespace foramen {

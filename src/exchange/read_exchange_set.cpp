@@ -4,10 +4,10 @@
 #include "exchange/exchange_set.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/io/named_points.hpp"
-#include "foramen/io/shapeworks_project.hpp"
-#include "foramen/modelfiles/atlas_file.hpp"
-#include "foramen/modelfiles/corresponding_folder.hpp"
+#include "io/named_points.hpp"
+#include "io/shapeworks_project.hpp"
+#include "modelfiles/atlas_file.hpp"
+#include "modelfiles/corresponding_folder.hpp"
 
 namespace foramen {
 namespace {
@@ -80,7 +80,7 @@ void add_transforms(ExchangeSet& set, const fs::path& atlas_file, const std::vec
     if (found == atlas.names.end())
       throw InvalidInput(atlas_file.string() + ": has no shape " + set.names[i] +
                          "; the model's folder holds files of different builds: build it again");
-    Eigen::Matrix4d transform = atlas.transforms[static_cast<std::size_t>(found - atlas.names.begin())];
+    Eigen::Matrix4d transform = atlas.transforms[found - atlas.names.begin()];
     if (turned[i]) transform = transform * half_turn();
     if (model_turned) transform = half_turn() * transform;
     set.to_common.push_back(transform);

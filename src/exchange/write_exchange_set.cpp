@@ -4,10 +4,10 @@
 #include "exchange/exchange_set.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/io/named_points.hpp"
-#include "foramen/io/scalismo_landmarks.hpp"
-#include "foramen/io/shapeworks_project.hpp"
-#include "foramen/io/table_file.hpp"
+#include "io/named_points.hpp"
+#include "io/scalismo_landmarks.hpp"
+#include "io/shapeworks_project.hpp"
+#include "io/table_file.hpp"
 #include "modelfiles/statismo_model.hpp"
 
 namespace foramen {

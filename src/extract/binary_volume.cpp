@@ -19,13 +19,12 @@ Reordering nearest_to_lps(const Mat3& axes) {
   std::array<int, 3> order{0, 1, 2};
   do {
     double sum = 0;
-    for (int a = 0; a < 3; ++a) sum += std::abs(direction(a, order[static_cast<std::size_t>(a)]));
+    for (int a = 0; a < 3; ++a) sum += std::abs(direction(a, order[a]));
     if (sum <= best_sum) continue;
     best_sum = sum;
     best.source = order;
   } while (std::next_permutation(order.begin(), order.end()));
-  for (int a = 0; a < 3; ++a)
-    best.reversed[static_cast<std::size_t>(a)] = direction(a, best.source[static_cast<std::size_t>(a)]) < 0;
+  for (int a = 0; a < 3; ++a) best.reversed[a] = direction(a, best.source[a]) < 0;
   return best;
 }
 
@@ -83,7 +82,7 @@ BinaryVolume binary_volume(const LabelMap& map, int label, const LabelExtent& ex
   volume.origin = map.origin;
   std::array<int, 3> start{}, step{};  // in the map, by axis of the volume
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto s = static_cast<std::size_t>(order.source[a]);
+    const std::size_t s = order.source[a];
     const int low = extent.low[s], high = extent.high[s];
     const bool reversed = order.reversed[a];
     volume.size[a] = high - low + 3;
@@ -100,8 +99,7 @@ BinaryVolume binary_volume(const LabelMap& map, int label, const LabelExtent& ex
       for (int i = 1; i + 1 < volume.size[0]; ++i) {
         std::array<int, 3> source{};
         const std::array<int, 3> at{i, j, k};
-        for (std::size_t a = 0; a < 3; ++a)
-          source[static_cast<std::size_t>(order.source[a])] = start[a] + step[a] * at[a];
+        for (std::size_t a = 0; a < 3; ++a) source[order.source[a]] = start[a] + step[a] * at[a];
         if (map.at(source[0], source[1], source[2]) == label) volume.inside[volume.index(i, j, k)] = 1;
       }
   return volume;

@@ -40,9 +40,7 @@ FaceWalk face_walk(int axis, int side) {
 bool share_face(int a, int b) {
   const CubeEdge p = cube_edge(a), q = cube_edge(b);
   for (int axis = 0; axis < 3; ++axis)
-    if (p.axis != axis && q.axis != axis &&
-        p.from[static_cast<std::size_t>(axis)] == q.from[static_cast<std::size_t>(axis)])
-      return true;
+    if (p.axis != axis && q.axis != axis && p.from[axis] == q.from[axis]) return true;
   return false;
 }
 
@@ -65,7 +63,7 @@ std::array<int, edges> successors(unsigned inside) {
         if (in(k) || !in(k + 1)) continue;
         std::size_t out = k + 3;
         while (!(in(out) && !in(out + 1))) out += 3;
-        next[static_cast<std::size_t>(walk.edge[k])] = walk.edge[out % 4];
+        next[walk.edge[k]] = walk.edge[out % 4];
       }
     }
   return next;
@@ -102,10 +100,10 @@ Triangles triangles_of(unsigned inside) {
   Triangles all;
   for (int start = 0; start < edges; ++start) {
     Loop loop;
-    for (int e = start; next[static_cast<std::size_t>(e)] != no_edge;) {
+    for (int e = start; next[e] != no_edge;) {
       loop.push_back(e);
-      const int after = next[static_cast<std::size_t>(e)];
-      next[static_cast<std::size_t>(e)] = no_edge;
+      const int after = next[e];
+      next[e] = no_edge;
       e = after;
     }
     if (loop.empty()) continue;
@@ -120,8 +118,8 @@ Triangles triangles_of(unsigned inside) {
 
 CubeEdge cube_edge(int edge) {
   CubeEdge e{edge / 4, {}};
-  e.from[static_cast<std::size_t>((e.axis + 1) % 3)] = edge & 1;
-  e.from[static_cast<std::size_t>((e.axis + 2) % 3)] = edge >> 1 & 1;
+  e.from[(e.axis + 1) % 3] = edge & 1;
+  e.from[(e.axis + 2) % 3] = edge >> 1 & 1;
   return e;
 }
 

@@ -1,4 +1,4 @@
-#include "foramen/extract/extract_labels.hpp"
+#include "extract/extract_labels.hpp"
 
 #include <algorithm>
 #include <set>
@@ -94,7 +94,7 @@ LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelReque
   result.sha256 = map.sha256;
   std::vector<std::variant<std::monostate, ExtractedSurface, std::string>> outcomes(plan.wanted.size());
   parallel_for(static_cast<int>(plan.wanted.size()), ctx, [&](int i) {
-    const auto at = static_cast<std::size_t>(i);
+    const std::size_t at = i;
     const int label = plan.wanted[at];
     try {
       outcomes[at] = extract_label(map, label, present.at(label), request.surface);

@@ -1,11 +1,11 @@
-#include "foramen/extract/label_names.hpp"
+#include "extract/label_names.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <set>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/table_file.hpp"
+#include "io/table_file.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,4 @@
-#include "foramen/extract/label_selection.hpp"
+#include "extract/label_selection.hpp"
 
 #include <algorithm>
 #include <charconv>

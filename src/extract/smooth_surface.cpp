@@ -6,7 +6,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen::extract {
 namespace {
@@ -43,8 +43,7 @@ class Smoother {
       if (std::abs(missing) <= accepted * volume) return;
       const double distance = missing / total_area(now);
       const auto normals = vertex_normals(now);
-      for (const VertexId v : now.vertices())
-        points_[static_cast<std::size_t>(v.index)] += distance * normals[v];
+      for (const VertexId v : now.vertices()) points_[v.index] += distance * normals[v];
       put_back();
     }
   }
@@ -62,9 +61,8 @@ class Smoother {
       for (const auto& [a, b] : pairs)
         for (const FaceId f : {a, b})
           for (const VertexId v : mesh_.corners(f)) {
-            now[static_cast<std::size_t>(v.index)] = 1;
-            for (const int n : neighbours_[static_cast<std::size_t>(v.index)])
-              now[static_cast<std::size_t>(n)] = 1;
+            now[v.index] = 1;
+            for (const int n : neighbours_[v.index]) now[n] = 1;
           }
       bool moved = false;
       for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -85,7 +83,7 @@ class Smoother {
     std::vector<Vec3> result(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       Vec3 sum = Vec3::Zero();
-      for (const int n : neighbours_[i]) sum += values[static_cast<std::size_t>(n)];
+      for (const int n : neighbours_[i]) sum += values[n];
       result[i] = sum / static_cast<double>(neighbours_[i].size()) - values[i];
     }
     return result;

@@ -37,7 +37,7 @@ void add_vertices(const BinaryVolume& volume, int k, EdgeVertices& edges, std::v
         int& vertex = edges.at(axis, i, j, k);
         vertex = EdgeVertices::none;
         std::array<int, 3> to{i, j, k};
-        if (++to[static_cast<std::size_t>(axis)] >= volume.size[static_cast<std::size_t>(axis)]) continue;
+        if (++to[axis] >= volume.size[axis]) continue;
         if (volume.at(i, j, k) == volume.at(to[0], to[1], to[2])) continue;
         vertex = static_cast<int>(points.size());
         points.emplace_back(i, j, k);
@@ -81,7 +81,7 @@ TriangleSoup voxel_boundary(const BinaryVolume& volume) {
       for (int i = 0; i < volume.size[0]; ++i)
         for (int axis = 0; axis < 3; ++axis) {
           std::array<int, 3> to{i, j, k};
-          if (++to[static_cast<std::size_t>(axis)] >= volume.size[static_cast<std::size_t>(axis)]) continue;
+          if (++to[axis] >= volume.size[axis]) continue;
           const bool inside = volume.at(i, j, k);
           if (inside == volume.at(to[0], to[1], to[2])) continue;
           const Vec3 middle = Vec3(i, j, k) + 0.5 * Vec3::Unit(axis);

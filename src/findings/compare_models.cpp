@@ -1,4 +1,4 @@
-#include "foramen/findings/compare_models.hpp"
+#include "findings/compare_models.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -9,7 +9,7 @@
 
 #include "findings/model_difference.hpp"
 #include "findings/model_report.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
+#include "modelfiles/metrics_file.hpp"
 
 namespace foramen {
 namespace {
@@ -29,8 +29,8 @@ std::vector<std::string> names_of(const std::vector<fs::path>& models) {
 }
 
 std::string padded(const std::string& text, std::size_t width) {
-  const auto letters = static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+  const std::size_t letters = std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; });
   return text + std::string(width > letters ? width - letters : 1, ' ');
 }
 

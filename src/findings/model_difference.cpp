@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "foramen/evaluate/paired_p_value.hpp"
+#include "evaluate/paired_p_value.hpp"
 
 namespace foramen {
 namespace {
@@ -124,8 +124,7 @@ std::vector<DifferenceGroup> paired_groups(const Evaluation& first, const Evalua
       paired_note(n, n, "shapes"));
   if (first.leave_subject_out && second.leave_subject_out && same_subjects(first, second, partner))
     add("Generalization (leave one subject out)", *first.leave_subject_out, *second.leave_subject_out,
-        first.subjects,
-        paired_note(n, static_cast<std::size_t>(first.leave_subject_out->groups), "subjects"));
+        first.subjects, paired_note(n, first.leave_subject_out->groups, "subjects"));
   const Representation &a = first.representation, &b = second.representation;
   groups.push_back({"Representation",
                     paired_note(n, n, "shapes"),

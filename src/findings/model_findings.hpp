@@ -6,7 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/report/report_page.hpp"
+#include "report/report_page.hpp"
 
 namespace foramen {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/report/report_page.hpp"
+#include "report/report_page.hpp"
 
 namespace foramen {
 

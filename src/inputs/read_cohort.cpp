@@ -1,4 +1,4 @@
-#include "foramen/inputs/read_cohort.hpp"
+#include "inputs/read_cohort.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -12,8 +12,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
-#include "foramen/io/sha256.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "io/sha256.hpp"
 
 namespace foramen {
 namespace {
@@ -141,8 +141,8 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
                  const std::optional<RepairOptions>& repair, const RunContext& ctx, Cohort& cohort) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
-    const fs::path& file = files[static_cast<std::size_t>(i)];
-    auto& result = results[static_cast<std::size_t>(i)];
+    const fs::path& file = files[i];
+    auto& result = results[i];
     try {
       result = read_shape(file, unit, repair, ctx.with_threads(1).without_progress());
     } catch (const Cancelled&) {

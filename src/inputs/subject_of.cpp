@@ -1,4 +1,4 @@
-#include "foramen/inputs/subject_of.hpp"
+#include "inputs/subject_of.hpp"
 
 #include <regex>
 

@@ -1,4 +1,4 @@
-#include "foramen/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -101,7 +101,7 @@ void write_all(int fd, std::string_view contents, const fs::path& path) {
     const auto written = ::write(fd, contents.data(), contents.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail(path, "cannot be written", errno);
-    contents.remove_prefix(static_cast<std::size_t>(written));
+    contents.remove_prefix(written);
   }
 }
 

@@ -126,8 +126,7 @@ void SpaceTag::see(const Source& source, std::string_view text) {
   for (auto at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
     if (at > 0 && is_word_character(text[at - 1])) continue;
     std::string_view word = text.substr(at + key.size());
-    word = word.substr(0, static_cast<std::size_t>(
-                              std::find_if_not(word.begin(), word.end(), is_word_character) - word.begin()));
+    word = word.substr(0, std::find_if_not(word.begin(), word.end(), is_word_character) - word.begin());
     const std::string axes = lower_case(word);
     if (axes != "lps" && axes != "ras")
       source.refuse("its SPACE tag says " + in_quotes(word),

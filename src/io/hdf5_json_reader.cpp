@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/hdf5_json_file.hpp"
+#include "io/hdf5_json_file.hpp"
 #include "io/json_text.hpp"
 
 namespace foramen {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/hdf5_json_file.hpp"
-#include "foramen/io/sha256.hpp"
+#include "io/hdf5_json_file.hpp"
 #include "io/json_text.hpp"
+#include "io/sha256.hpp"
 
 namespace foramen {
 namespace {

@@ -3,8 +3,8 @@
 #include <string_view>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/hdf5_file.hpp"
 #include "io/file_bytes.hpp"
+#include "io/hdf5_file.hpp"
 #include "io/hdf5_handle.hpp"
 
 namespace foramen {
@@ -53,7 +53,7 @@ struct H5Reader::File {
   std::vector<std::size_t> shape_of(hid_t space, const std::string& path) const {
     const int rank = H5Sget_simple_extent_ndims(space);
     if (rank < 0 || H5Sget_simple_extent_type(space) == H5S_NULL) refuse(path, "has no shape");
-    std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+    std::vector<hsize_t> sizes(rank);
     if (rank > 0 && H5Sget_simple_extent_dims(space, sizes.data(), nullptr) < 0) refuse(path, "has no shape");
     return {sizes.begin(), sizes.end()};
   }
@@ -74,7 +74,7 @@ struct H5Reader::File {
                "its announced size is more than the file's " + std::to_string(bytes) + " bytes can hold");
       count *= size;
     }
-    return static_cast<std::size_t>(count);
+    return count;
   }
 
   static std::string text_of(const std::vector<std::size_t>& shape) {

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 
 namespace foramen::io_detail {
 namespace {

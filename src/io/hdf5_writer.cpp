@@ -3,8 +3,8 @@
 #include <atomic>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/io/hdf5_file.hpp"
+#include "io/atomic_file.hpp"
+#include "io/hdf5_file.hpp"
 #include "io/hdf5_handle.hpp"
 
 namespace foramen {

@@ -64,7 +64,7 @@ std::string header_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) Source{path.string(), {}}.refuse("cannot be opened", "check the permissions");
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  bytes.resize(in.gcount());
   return bytes;
 }
 

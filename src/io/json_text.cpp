@@ -1,7 +1,7 @@
 #include "io/json_text.hpp"
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 
 namespace foramen::io_detail {
 

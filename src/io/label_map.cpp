@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "foramen/io/sha256.hpp"
+#include "io/sha256.hpp"
 #include "io/voxel_layout.hpp"
 
 namespace foramen {

@@ -1,8 +1,8 @@
 #include <array>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/table_file.hpp"
-#include "io/named_points.hpp"
+#include "io/named_points_text.hpp"
+#include "io/table_file.hpp"
 
 namespace foramen {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 #include "io/mesh_formats.hpp"
 
 namespace foramen {

@@ -61,12 +61,11 @@ void set_geometry(const HeaderFields& fields, VoxelLayout& layout) {
   if (fields.has(matrix)) {
     const auto entries = fields.numbers(matrix, 9);
     for (int axis = 0; axis < 3; ++axis)
-      for (int row = 0; row < 3; ++row)
-        layout.axes(row, axis) = entries[static_cast<std::size_t>(3 * axis + row)];
+      for (int row = 0; row < 3; ++row) layout.axes(row, axis) = entries[3 * axis + row];
   }
   for (int d = 0; d < 3; ++d) {
-    layout.axes.col(d) *= spacing[static_cast<std::size_t>(d)];
-    layout.origin[d] = origin[static_cast<std::size_t>(d)];
+    layout.axes.col(d) *= spacing[d];
+    layout.origin[d] = origin[d];
   }
 }
 

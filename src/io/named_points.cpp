@@ -1,9 +1,9 @@
-#include "io/named_points.hpp"
+#include "io/named_points_text.hpp"
 
 #include <set>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/table_file.hpp"
+#include "io/table_file.hpp"
 
 namespace foramen::io_detail {
 

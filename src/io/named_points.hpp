@@ -1,28 +1,38 @@
 #pragma once
 /// \file
-/// Private to io: what files of corresponding points have in common.
+/// Corresponding points of several specimens: what TPS files and tables of landmarks hold.
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "foramen/io/named_points.hpp"
-#include "io/file_bytes.hpp"
+#include "foramen/core/mesh.hpp"
 
-namespace foramen::io_detail {
+namespace foramen {
 
-/// Throws InvalidInput unless there are specimens, all with as many finite points, at least one.
-void check_specimens(const std::filesystem::path& path, std::span<const NamedPoints> specimens);
+struct NamedPoints {
+  std::string name;
+  std::vector<Vec3> points;  ///< point i of every specimen is the same landmark
+};
 
-/// Throws IoError unless there are specimens with different names and as many points.
-void check_read(const Source& source, std::span<const NamedPoints> specimens);
+/// TPS, as geomorph's readland.tps and other readers of R take it: per specimen `LM3=P`, P
+/// lines "x y z", `ID=name`. Throws InvalidInput if there are none, the numbers of points differ, a number is
+/// not finite, or a name cannot stand in such a file: a line break, '=', or one of the words comment=,
+/// curves=, variables, chain, radii and scale, of which readers drop the line.
+void write_tps(const std::filesystem::path& path, std::span<const NamedPoints> specimens);
 
-/// "x y z", shortest texts that read back as the same numbers.
-std::string text_of(const Vec3& point);
+/// Reads LM3 specimens. Coordinates are multiplied by SCALE= where all specimens have one. Specimens without
+/// ID= are named by IMAGE= without extension, or "specimenN". Other KEY=value lines are passed over. Throws
+/// IoError naming the line: two-dimensional landmarks, curves, missing points (NA), SCALE= of some specimens
+/// only, names that come twice, specimens with other numbers of points.
+std::vector<NamedPoints> read_tps(const std::filesystem::path& path);
 
-/// Three numbers and nothing else on a line, or nothing.
-std::optional<Vec3> point_of(std::string_view line);
+/// A table with the columns shape, landmark (from 0), x, y, z. Throws InvalidInput as above, IoError.
+void write_landmark_table(const std::filesystem::path& path, std::span<const NamedPoints> shapes);
 
-}  // namespace foramen::io_detail
+/// The same read back: rows of a shape stand together, landmarks count up from 0. Throws IoError naming the
+/// row.
+std::vector<NamedPoints> read_landmark_table(const std::filesystem::path& path);
+
+}  // namespace foramen

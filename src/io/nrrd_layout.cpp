@@ -88,9 +88,8 @@ void set_geometry(const Source& source, const HeaderFields& fields, VoxelLayout&
   const Vec3 signs = lps_signs(source, fields);
   const auto directions = fields.numbers("spacedirections", 9), origin = fields.numbers("spaceorigin", 3);
   for (int axis = 0; axis < 3; ++axis)
-    for (int row = 0; row < 3; ++row)
-      layout.axes(row, axis) = signs[row] * directions[static_cast<std::size_t>(3 * axis + row)];
-  for (int row = 0; row < 3; ++row) layout.origin[row] = signs[row] * origin[static_cast<std::size_t>(row)];
+    for (int row = 0; row < 3; ++row) layout.axes(row, axis) = signs[row] * directions[3 * axis + row];
+  for (int row = 0; row < 3; ++row) layout.origin[row] = signs[row] * origin[row];
 }
 
 ByteOrder byte_order(const Source& source, const HeaderFields& fields, const NumberType& type) {

@@ -1,7 +1,7 @@
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/io/shapeworks_project.hpp"
-#include "io/named_points.hpp"
+#include "io/atomic_file.hpp"
+#include "io/named_points_text.hpp"
+#include "io/shapeworks_project.hpp"
 
 namespace foramen {
 

@@ -48,11 +48,10 @@ class LabelReader {
   template <class T>
   std::vector<std::uint16_t> read_as() {
     std::vector<std::uint16_t> labels;
-    if (layout_.packing == ByteStream::Packing::none) labels.reserve(static_cast<std::size_t>(count_));
+    if (layout_.packing == ByteStream::Packing::none) labels.reserve(count_);
     std::vector<char> bytes(chunk_voxels * sizeof(T));
     while (std::ssize(labels) < count_) {
-      const std::size_t wanted =
-          std::min(chunk_voxels, static_cast<std::size_t>(count_ - std::ssize(labels))) * sizeof(T);
+      const std::size_t wanted = std::min<std::size_t>(chunk_voxels, count_ - std::ssize(labels)) * sizeof(T);
       const std::size_t got = stream_.read(bytes.data(), wanted);
       ByteCursor cursor({bytes.data(), got - got % sizeof(T)}, 0, layout_.order);
       while (cursor.remaining() > 0)
@@ -78,7 +77,7 @@ class LabelReader {
   void skip() {
     std::vector<char> bytes(chunk_voxels);
     for (std::int64_t left = layout_.skipped; left > 0;) {
-      const std::size_t wanted = std::min(bytes.size(), static_cast<std::size_t>(left));
+      const std::size_t wanted = std::min<std::size_t>(bytes.size(), left);
       if (stream_.read(bytes.data(), wanted) < wanted) refuse_short(0);
       left -= static_cast<std::int64_t>(wanted);
     }

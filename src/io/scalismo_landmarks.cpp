@@ -1,4 +1,4 @@
-#include "foramen/io/scalismo_landmarks.hpp"
+#include "io/scalismo_landmarks.hpp"
 
 #include <set>
 
@@ -42,7 +42,7 @@ std::vector<ScalismoLandmark> read_scalismo_landmarks(const std::filesystem::pat
     const ordered_json coordinates = item.value("coordinates", ordered_json());
     if (!coordinates.is_array() || coordinates.size() != 3) refuse("has not three coordinates");
     for (int k = 0; k < 3; ++k) {
-      const ordered_json& number = coordinates.at(static_cast<std::size_t>(k));
+      const ordered_json& number = coordinates.at(k);
       if (!number.is_number()) refuse("has a coordinate that is no number");
       landmark.position[k] = number.get<double>();
     }

@@ -1,4 +1,4 @@
-#include "foramen/io/sha256.hpp"
+#include "io/sha256.hpp"
 
 #include <sha2.h>
 

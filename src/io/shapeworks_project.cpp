@@ -1,4 +1,4 @@
-#include "foramen/io/shapeworks_project.hpp"
+#include "io/shapeworks_project.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <set>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/table_file.hpp"
 #include "io/json_text.hpp"
+#include "io/table_file.hpp"
 
 namespace foramen {
 namespace {

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/io/hdf5_file.hpp"
-#include "foramen/io/hdf5_json_file.hpp"
+#include "io/atomic_file.hpp"
+#include "io/hdf5_file.hpp"
+#include "io/hdf5_json_file.hpp"
 
 namespace foramen {
 namespace {

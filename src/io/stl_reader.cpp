@@ -38,7 +38,7 @@ bool is_binary(const Source& source) {
 // appearance.
 TriangleSoup welded(const std::vector<Vec3>& corners) {
   const auto key = [&](int i) {
-    const Vec3& p = corners[static_cast<std::size_t>(i)];
+    const Vec3& p = corners[i];
     return std::tuple(p.x(), p.y(), p.z());
   };
   std::vector<int> order(corners.size());
@@ -48,13 +48,12 @@ TriangleSoup welded(const std::vector<Vec3>& corners) {
   std::vector<int> first(corners.size());  // per corner: the first corner at its place
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool same = i > 0 && key(order[i]) == key(order[i - 1]);
-    first[static_cast<std::size_t>(order[i])] =
-        same ? first[static_cast<std::size_t>(order[i - 1])] : order[i];
+    first[order[i]] = same ? first[order[i - 1]] : order[i];
   }
   TriangleSoup soup;
   std::vector<int> point(corners.size());
   for (std::size_t c = 0; c < corners.size(); ++c) {
-    const auto original = static_cast<std::size_t>(first[c]);
+    const std::size_t original = first[c];
     if (original == c) {
       point[c] = static_cast<int>(soup.points.size());
       soup.points.push_back(corners[c]);

@@ -1,4 +1,4 @@
-#include "foramen/io/table_file.hpp"
+#include "io/table_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 #include "io/file_bytes.hpp"
 
 namespace foramen {
@@ -122,7 +122,7 @@ std::size_t Table::column(std::string_view name) const {
   const auto found = std::find(header.begin(), header.end(), name);
   if (found == header.end())
     throw IoError("the table has no column " + in_quotes(name) + "; check its header");
-  return static_cast<std::size_t>(found - header.begin());
+  return found - header.begin();
 }
 
 std::string format_number(double value) {

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "io/named_points.hpp"
+#include "io/atomic_file.hpp"
+#include "io/named_points_text.hpp"
 
 namespace foramen {
 namespace {

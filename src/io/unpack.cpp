@@ -57,7 +57,7 @@ std::size_t ByteStream::read(char* out, std::size_t count) {
   State& s = *state_;
   if (s.packing == Packing::none) {
     s.file.read(out, static_cast<std::streamsize>(count));
-    return static_cast<std::size_t>(s.file.gcount());
+    return s.file.gcount();
   }
   FORAMEN_ASSERT(count <= std::numeric_limits<uInt>::max());
   s.inflater.next_out = reinterpret_cast<Bytef*>(out);

@@ -107,8 +107,7 @@ std::string VtkDataArrays::bytes(const XmlElement& array) const {
     source_.refuse("has an array at " + in_quotes(array.attribute("offset")) + " of " +
                        std::to_string(appended_.size()) + " appended bytes",
                    remedy_export_again);
-  return unpacked(
-      Run(source_, std::string_view(appended_).substr(static_cast<std::size_t>(*offset)), appended_base64_));
+  return unpacked(Run(source_, std::string_view(appended_).substr(*offset), appended_base64_));
 }
 
 std::string VtkDataArrays::unpacked(Run run) const {

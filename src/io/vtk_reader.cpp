@@ -274,7 +274,7 @@ class LegacyVtk {
                          " are out of order or range",
                      remedy_damaged);
     if (end - begin != 3) refuse_polygon(source_, place(), static_cast<std::uint64_t>(end - begin));
-    const auto at = static_cast<std::size_t>(begin);
+    const std::size_t at = begin;
     soup_.add_triangle({corners_[at], corners_[at + 1], corners_[at + 2]}, soup_.points(), place);
   }
 

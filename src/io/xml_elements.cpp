@@ -23,7 +23,7 @@ class TreeBuilder {
         [](void* self, const char* name, const char** attributes) { of(self).start(name, attributes); },
         [](void* self, const char*) { of(self).end(); });
     XML_SetCharacterDataHandler(parser, [](void* self, const char* text, int length) {
-      of(self).open_.back().text.append(text, static_cast<std::size_t>(length));
+      of(self).open_.back().text.append(text, length);
     });
     XML_SetStartDoctypeDeclHandler(parser, [](void* self, const char*, const char*, const char*, int) {
       of(self).stop("declares a document type");

@@ -1,8 +1,8 @@
 #include "landmarks/landmarks_by_icp.hpp"
 
+#include "correspond/icp_baseline.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
-#include "foramen/correspond/icp_baseline.hpp"
 #include "foramen/sampling/lift_to_surface.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 
@@ -28,7 +28,7 @@ Landmarks landmarks_by_icp(const std::vector<Mesh>& shapes, const CohortRegistra
   result.points.resize(shapes.size());
   result.without_compatible.resize(shapes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    const auto k = static_cast<std::size_t>(i);
+    const std::size_t k = i;
     if (i == cohort.reference) {
       result.points[k] = on_reference;
       return;
@@ -43,7 +43,7 @@ Landmarks landmarks_by_icp(const std::vector<Mesh>& shapes, const CohortRegistra
 
 std::vector<Vec3> newcomers_landmarks_by_icp(const Mesh& shape, const CohortRegistration& cohort,
                                              const Landmarks& landmarks, const RunContext& ctx) {
-  const std::vector<Vec3>& on_reference = landmarks.points[static_cast<std::size_t>(cohort.reference)];
+  const std::vector<Vec3>& on_reference = landmarks.points[cohort.reference];
   return icp_correspondence(on_reference, normals_of(on_reference, landmarks.mesh).values(),
                             TriangleTree(shape), align(shape, cohort.frame.reference.mesh(), ctx).transform)
       .points;

@@ -6,9 +6,9 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/sampling/lift_to_surface.hpp"
-#include "foramen/sampling/refine_landmarks.hpp"
 #include "foramen/sampling/torus_grid.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "sampling/refine_landmarks.hpp"
 
 namespace foramen {
 namespace {
@@ -30,7 +30,7 @@ std::vector<LiftingShape> lifting_shapes(const std::vector<Mesh>& meshes, std::v
                                          const RunContext& ctx) {
   std::vector<LiftingShape> shapes(meshes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    const auto k = static_cast<std::size_t>(i);
+    const std::size_t k = i;
     TorusMap map = std::exchange(maps[k], {});
     shapes[k].locator = std::make_unique<TorusLocator>(meshes[k], map);
     shapes[k].turns = std::move(map.turns);
@@ -40,7 +40,7 @@ std::vector<LiftingShape> lifting_shapes(const std::vector<Mesh>& meshes, std::v
 
 void plant_trees(std::vector<LiftingShape>& shapes, const RunContext& ctx) {
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    LiftingShape& shape = shapes[static_cast<std::size_t>(i)];
+    LiftingShape& shape = shapes[i];
     shape.tree = std::make_unique<TriangleTree>(shape.locator->mesh(), TreeNormals::none);
   });
 }
@@ -48,9 +48,8 @@ void plant_trees(std::vector<LiftingShape>& shapes, const RunContext& ctx) {
 std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& shapes,
                                              std::span<const Vec2> turns, const RunContext& ctx) {
   std::vector<std::vector<Vec3>> all(shapes.size());
-  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    all[static_cast<std::size_t>(i)] = lift_to_surface(*shapes[static_cast<std::size_t>(i)].locator, turns);
-  });
+  parallel_for(static_cast<int>(shapes.size()), ctx,
+               [&](int i) { all[i] = lift_to_surface(*shapes[i].locator, turns); });
   return all;
 }
 // A surface to put landmarks on: the dense mean, with its torus map and how densely it is to be sampled.
@@ -102,10 +101,10 @@ double mean_representation_error(const LandmarkMesh& landmarks, const std::vecto
                                  const PlaceLandmarksOptions& options, const RunContext& ctx) {
   std::vector<double> errors(shapes.size());
   parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    const LiftingShape& shape = shapes[static_cast<std::size_t>(i)];
+    const LiftingShape& shape = shapes[i];
     const TriangleTree sampled(
         build_mesh({lift_to_surface(*shape.locator, landmarks.turns), landmarks.triangles}));
-    errors[static_cast<std::size_t>(i)] =
+    errors[i] =
         surface_distance(sampled, *shape.tree, {.samples = search_samples, .seed = options.seed}).mean;
   });
   double sum = 0;

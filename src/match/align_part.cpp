@@ -52,7 +52,7 @@ std::vector<Vec3> spread_anchors(const std::vector<OrientedPoint>& points, const
     for (std::size_t i = 0; i < points.size(); ++i)
       distance[i] = std::min(distance[i], (points[i].position - last).squaredNorm());
     const auto farthest = std::max_element(distance.begin(), distance.end()) - distance.begin();
-    last = points[static_cast<std::size_t>(farthest)].position;
+    last = points[farthest].position;
     anchors.push_back(centroid + anchor_depth * (last - centroid));
   }
   return anchors;
@@ -71,7 +71,7 @@ class PartSearch {
   std::vector<Pose> run() const {
     std::vector<Pose> poses = starts();
     for (const Round& round : rounds) {
-      if (static_cast<int>(poses.size()) > round.poses) poses.resize(static_cast<std::size_t>(round.poses));
+      if (static_cast<int>(poses.size()) > round.poses) poses.resize(round.poses);
       follow(poses, samples_of_part(round.samples), round.iterations);
     }
     poses = detail::distinct_answers(poses, options_.most_answers);
@@ -104,7 +104,7 @@ class PartSearch {
     const auto matching = [&](const RigidTransform& at) { return detail::matches_of(samples, targets_, at); };
     const detail::DescentOptions options{.iteration_limit = iterations, .tolerance = options_.tolerance};
     parallel_for(static_cast<int>(poses.size()), ctx_, [&](int i) {
-      Pose& pose = poses[static_cast<std::size_t>(i)];
+      Pose& pose = poses[i];
       pose = detail::descend(pose, matching, options, ctx_);
     });
     detail::sort_best_first(poses);

@@ -32,11 +32,11 @@ void check(const Mesh& surface, const Eigen::MatrixXd& functions, const DeformTe
 /// Area-stratified vertices of the template: each sample of the surface by the nearest corner.
 std::vector<int> sampled_vertices(const Mesh& surface, int count) {
   std::vector<int> vertices;
-  vertices.reserve(static_cast<std::size_t>(count));
+  vertices.reserve(count);
   for (const SurfacePoint& p : sample_surface(surface, count, Rng(template_seed))) {
     Eigen::Index corner = 0;
     p.barycentric.maxCoeff(&corner);
-    vertices.push_back(surface.corners(p.face)[static_cast<std::size_t>(corner)].index);
+    vertices.push_back(surface.corners(p.face)[corner].index);
   }
   return vertices;
 }
@@ -92,7 +92,7 @@ class Fit {
         slot[v] = static_cast<int>(all.size());
         all.push_back({m.vertex});
       }
-      Pull& pull = all[static_cast<std::size_t>(slot[v])];
+      Pull& pull = all[slot[v]];
       pull.weight += w;
       pull.weighted_goal += w * (m.partner.position - surface_.position(v));
     }
@@ -103,17 +103,15 @@ class Fit {
   Eigen::MatrixX3d solved(const std::vector<Pull>& pulls) const {
     const auto count = static_cast<Eigen::Index>(pulls.size()), rank = functions_.cols();
     Eigen::MatrixXd at_pulls(count, rank);
-    for (Eigen::Index i = 0; i < count; ++i)
-      at_pulls.row(i) = functions_.row(pulls[static_cast<std::size_t>(i)].vertex);
+    for (Eigen::Index i = 0; i < count; ++i) at_pulls.row(i) = functions_.row(pulls[i].vertex);
     Eigen::MatrixXd hessian(3 * rank, 3 * rank), weighted(count, rank);
     Eigen::VectorXd right(3 * rank);
     for (Eigen::Index a = 0; a < 3; ++a) {
       Eigen::VectorXd goal(count);
-      for (Eigen::Index i = 0; i < count; ++i) goal[i] = pulls[static_cast<std::size_t>(i)].weighted_goal[a];
+      for (Eigen::Index i = 0; i < count; ++i) goal[i] = pulls[i].weighted_goal[a];
       right.segment(a * rank, rank).noalias() = at_pulls.transpose() * goal;
       for (Eigen::Index b = 0; b <= a; ++b) {
-        for (Eigen::Index i = 0; i < count; ++i)
-          weighted.row(i) = pulls[static_cast<std::size_t>(i)].weight(a, b) * at_pulls.row(i);
+        for (Eigen::Index i = 0; i < count; ++i) weighted.row(i) = pulls[i].weight(a, b) * at_pulls.row(i);
         hessian.block(a * rank, b * rank, rank, rank).noalias() = at_pulls.transpose() * weighted;
       }
     }
@@ -126,7 +124,7 @@ class Fit {
   Mesh displaced(const Eigen::MatrixX3d& coefficients) const {
     const Eigen::MatrixX3d displacements = functions_ * coefficients;
     std::vector<Vec3> positions;
-    positions.reserve(static_cast<std::size_t>(surface_.vertex_count()));
+    positions.reserve(surface_.vertex_count());
     for (VertexId v : surface_.vertices())
       positions.push_back(surface_.position(v) + displacements.row(v.index).transpose());
     return surface_.with_positions(std::move(positions));

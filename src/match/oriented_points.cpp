@@ -76,7 +76,7 @@ std::vector<NearPoint> IndexedPoints::nearest(const OrientedPoint& query, int co
 VertexMap<VertexId> nearest_vertices(const Mesh& from, const Mesh& to) {
   const IndexedPoints there(oriented_vertices(to), vertebra_normal_weight_mm);
   std::vector<VertexId> nearest;
-  nearest.reserve(static_cast<std::size_t>(from.vertex_count()));
+  nearest.reserve(from.vertex_count());
   for (const OrientedPoint& p : oriented_vertices(from)) nearest.emplace_back(there.nearest(p).index);
   return VertexMap<VertexId>(std::move(nearest));
 }

@@ -29,7 +29,7 @@ std::vector<Mat3> proper_matchings() {
   do {
     for (int signs = 0; signs < 8; ++signs) {
       Mat3 m = Mat3::Zero();
-      for (int k = 0; k < 3; ++k) m(order[static_cast<std::size_t>(k)], k) = (signs >> k) % 2 == 0 ? 1 : -1;
+      for (int k = 0; k < 3; ++k) m(order[k], k) = (signs >> k) % 2 == 0 ? 1 : -1;
       if (m.determinant() > 0) rotations.push_back(m);
     }
   } while (std::next_permutation(order.begin(), order.end()));

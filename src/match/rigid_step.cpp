@@ -6,7 +6,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "foramen/match/robust_weight.hpp"
+#include "match/robust_weight.hpp"
 
 namespace foramen::detail {
 namespace {

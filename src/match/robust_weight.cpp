@@ -1,4 +1,4 @@
-#include "foramen/match/robust_weight.hpp"
+#include "match/robust_weight.hpp"
 
 #include <algorithm>
 

@@ -37,9 +37,7 @@ Eigen::MatrixXd pivoted_cholesky(std::span<const Vec3> points, const SmoothDispl
     if (worst <= options.left_out_mm * options.left_out_mm) return factor.leftCols(k);
     Eigen::VectorXd column(count);
     for (Eigen::Index i = 0; i < count; ++i)
-      column[i] = covariance(
-          options.scales,
-          (points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(pivot)]).squaredNorm());
+      column[i] = covariance(options.scales, (points[i] - points[pivot]).squaredNorm());
     column.noalias() -= factor.leftCols(k) * factor.row(pivot).head(k).transpose();
     factor.col(k) = column / std::sqrt(worst);
     left = (left - factor.col(k).cwiseAbs2()).cwiseMax(0);
@@ -74,8 +72,8 @@ Eigen::MatrixXd smooth_displacements(std::span<const Vec3> points, const SmoothD
   Eigen::MatrixXd functions(count, 4 + smooth.cols());
   functions.col(0).setConstant(options.shift_mm);
   for (Eigen::Index i = 0; i < count; ++i)
-    functions.row(i).segment<3>(1) = options.linear_mm / std::sqrt(squared_radius) *
-                                     (points[static_cast<std::size_t>(i)] - centre).transpose();
+    functions.row(i).segment<3>(1) =
+        options.linear_mm / std::sqrt(squared_radius) * (points[i] - centre).transpose();
   functions.rightCols(smooth.cols()) = smooth;
   return functions;
 }

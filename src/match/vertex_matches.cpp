@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "foramen/match/robust_weight.hpp"
+#include "match/robust_weight.hpp"
 
 namespace foramen {
 

@@ -205,7 +205,7 @@ Eigen::VectorXd flattened(std::span<const Vec3> points) {
 
 std::vector<Vec3> unflattened(const Eigen::VectorXd& x) {
   FORAMEN_ASSERT(x.size() % 3 == 0);
-  std::vector<Vec3> points(static_cast<std::size_t>(x.size() / 3));
+  std::vector<Vec3> points(x.size() / 3);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = x.segment<3>(static_cast<Eigen::Index>(3 * i));
   return points;
 }

@@ -1,11 +1,11 @@
-#include "foramen/modelfiles/atlas_file.hpp"
+#include "modelfiles/atlas_file.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/hdf5_file.hpp"
 #include "foramen/stages/build_model.hpp"
+#include "io/hdf5_file.hpp"
 
 namespace foramen {
 namespace {
@@ -53,10 +53,10 @@ Atlas read_from(const H5Reader& file) {
       {items_of<Vec3, double>(file, "/template/points", 3), triangles_of(file, "/template/triangles")});
   if (!atlas.surface.is_closed()) file.refuse("/template/triangles", "not a closed surface");
   atlas.map.turns = VertexMap<Vec2>(items_of<Vec2, double>(file, "/template/turns", 2));
-  require_count(file, "/template/turns", static_cast<std::size_t>(atlas.map.turns.size()),
+  require_count(file, "/template/turns", atlas.map.turns.size(),
                 static_cast<std::size_t>(atlas.surface.vertex_count()));
   atlas.map.jumps = HalfedgeMap<Vec2i>(items_of<Vec2i, std::int32_t>(file, "/template/jumps", 2));
-  require_count(file, "/template/jumps", static_cast<std::size_t>(atlas.map.jumps.size()),
+  require_count(file, "/template/jumps", atlas.map.jumps.size(),
                 static_cast<std::size_t>(atlas.surface.halfedge_count()));
   const Eigen::MatrixXd lattice = eigen_matrix(file.matrix<double>("/lattice"));
   if (lattice.rows() != 2 || lattice.cols() != 2) file.refuse("/lattice", "not a 2 x 2 matrix");

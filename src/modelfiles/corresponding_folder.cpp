@@ -1,10 +1,10 @@
-#include "foramen/modelfiles/corresponding_folder.hpp"
+#include "modelfiles/corresponding_folder.hpp"
 
 #include <algorithm>
 
 #include "foramen/core/error.hpp"
-#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "inputs/read_cohort.hpp"
 
 namespace foramen {
 
@@ -36,7 +36,7 @@ TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::ve
     const auto found = std::find(all.names.begin(), all.names.end(), name);
     if (found == all.names.end())
       throw InvalidInput(folder.string() + ": there is no true correspondence for the shape " + name);
-    truth.shapes.push_back(all.shapes[static_cast<std::size_t>(found - all.names.begin())]);
+    truth.shapes.push_back(all.shapes[found - all.names.begin()]);
   }
   return truth;
 }

@@ -1,9 +1,9 @@
-#include "foramen/modelfiles/error_maps_file.hpp"
+#include "modelfiles/error_maps_file.hpp"
 
 #include <algorithm>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 
 namespace foramen {
 namespace {

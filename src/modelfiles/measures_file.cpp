@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/measures_file.hpp"
+#include "modelfiles/measures_file.hpp"
 
 #include <fstream>
 #include <iterator>

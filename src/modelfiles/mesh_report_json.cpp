@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/mesh_report_json.hpp"
+#include "modelfiles/mesh_report_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/metrics_file.hpp"
+#include "modelfiles/metrics_file.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 #include "modelfiles/metrics_rows.hpp"
 #include "modelfiles/options_json.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/table_file.hpp"
+#include "io/table_file.hpp"
 
 namespace foramen {
 namespace {

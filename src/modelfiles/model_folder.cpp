@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/model_folder.hpp"
+#include "modelfiles/model_folder.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -8,8 +8,8 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/statismo_file.hpp"
-#include "foramen/io/table_file.hpp"
-#include "foramen/modelfiles/atlas_file.hpp"
+#include "io/table_file.hpp"
+#include "modelfiles/atlas_file.hpp"
 #include "modelfiles/statismo_model.hpp"
 
 namespace foramen {
@@ -27,7 +27,7 @@ std::string mode_file(int mode, double sd) {
 /// The shapes of these scores, given in standard deviations.
 std::vector<Eigen::VectorXd> shapes_of(const ShapeModel& model, const Eigen::MatrixXd& scores) {
   std::vector<Eigen::VectorXd> shapes;
-  shapes.reserve(static_cast<std::size_t>(scores.cols()));
+  shapes.reserve(scores.cols());
   for (Eigen::Index i = 0; i < scores.cols(); ++i)
     shapes.push_back(model.reconstruct(scores.col(i).cwiseProduct(model.variance().cwiseSqrt())));
   return shapes;
@@ -116,7 +116,7 @@ void write_model_files(const fs::path& folder, const BuildRecord& record, const 
     write_ply(folder / "corresponding" / (input.stem + ".ply"), soup, input.space);
   }
   const ShapeModel& model = built.aligned.model;
-  const AnatomicalSpace space = record.inputs[static_cast<std::size_t>(built.registration.reference)].space;
+  const AnatomicalSpace space = record.inputs[built.registration.reference].space;
   write_ply(folder / "mean.ply", {unflattened(model.mean()), triangles}, space);
   write_modes(folder / "modes", model, 2, space);
   write_scores(folder / "scores.csv", record);

@@ -3,8 +3,8 @@
 #include <fstream>
 
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/error_maps_file.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
+#include "modelfiles/error_maps_file.hpp"
+#include "modelfiles/metrics_file.hpp"
 
 namespace foramen {
 namespace {

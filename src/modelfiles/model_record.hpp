@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/modelfiles/atlas_file.hpp"
-#include "foramen/modelfiles/model_folder.hpp"
+#include "modelfiles/atlas_file.hpp"
+#include "modelfiles/model_folder.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/repair_record.hpp"
+#include "modelfiles/repair_record.hpp"
 
 #include <algorithm>
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "foramen/modelfiles/repair_record.hpp"
-#include "foramen/modelfiles/version.hpp"
 #include "modelfiles/options_json.hpp"
+#include "modelfiles/repair_record.hpp"
+#include "modelfiles/version.hpp"
 
 namespace foramen {
 namespace {
@@ -156,7 +156,7 @@ ordered_json run_json(const RunDescription& asked, const BuildRecord& record, co
           {"options", options},
           {"seed", asked.build.landmarks.seed},
           {"inputs", inputs_json(record)},
-          {"reference", cohort.shapes[static_cast<std::size_t>(cohort.reference)].name},
+          {"reference", cohort.shapes[cohort.reference].name},
           {"template_motion_mm", cohort.template_motion_mm},
           {"unexplained_shares", cohort.unexplained_shares},
           {"description_lengths", cohort.description_lengths},

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/modelfiles/build_record.hpp"
+#include "modelfiles/build_record.hpp"
 
 namespace foramen {
 

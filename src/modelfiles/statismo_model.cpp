@@ -1,6 +1,6 @@
 #include "modelfiles/statismo_model.hpp"
 
-#include "foramen/modelfiles/model_folder.hpp"
+#include "modelfiles/model_folder.hpp"
 
 namespace foramen {
 

@@ -1,7 +1,7 @@
-#include "foramen/modelfiles/version.hpp"
+#include "modelfiles/version.hpp"
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/sha256.hpp"
+#include "io/sha256.hpp"
 
 namespace foramen {
 

@@ -5,9 +5,9 @@
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/pages/model_pictures.hpp"
-#include "foramen/render/colour_scale.hpp"
-#include "foramen/render/vertebra_scenes.hpp"
+#include "pages/model_pictures.hpp"
+#include "render/colour_scale.hpp"
+#include "render/vertebra_scenes.hpp"
 
 namespace foramen {
 namespace {
@@ -40,7 +40,7 @@ std::vector<double> movement(const ShapeModel& model, int mode) {
 
 ReportPicture mean_distance_picture(const ShapeModel& model, const std::vector<ErrorMap>& maps) {
   FORAMEN_ASSERT(!maps.empty());
-  std::vector<double> mm(static_cast<std::size_t>(model.landmarks()), 0.0);
+  std::vector<double> mm(model.landmarks(), 0.0);
   for (const ErrorMap& map : maps)
     for (std::size_t i = 0; i < mm.size(); ++i) mm[i] += map.landmark_mm[i] * map.landmark_mm[i];
   for (double& square : mm) square = std::sqrt(square / static_cast<double>(maps.size()));

@@ -1,4 +1,4 @@
-#include "foramen/pages/model_page.hpp"
+#include "pages/model_page.hpp"
 
 #include <cstdio>
 
@@ -7,10 +7,10 @@
 #include "findings/model_findings.hpp"
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
-#include "foramen/report/interactive_page.hpp"
+#include "modelfiles/metrics_file.hpp"
 #include "pages/plain_page.hpp"
 #include "pages/report_data.hpp"
+#include "report/interactive_page.hpp"
 
 namespace foramen {
 namespace {

@@ -1,11 +1,11 @@
-#include "foramen/pages/model_pictures.hpp"
+#include "pages/model_pictures.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "foramen/render/close_up.hpp"
-#include "foramen/render/torus_scenes.hpp"
-#include "foramen/render/vertebra_scenes.hpp"
+#include "render/close_up.hpp"
+#include "render/torus_scenes.hpp"
+#include "render/vertebra_scenes.hpp"
 
 namespace foramen {
 namespace {

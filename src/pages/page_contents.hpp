@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "findings/plain_words.hpp"
-#include "foramen/report/report_page.hpp"
 #include "modelfiles/model_record.hpp"
+#include "report/report_page.hpp"
 
 namespace foramen {
 

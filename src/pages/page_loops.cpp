@@ -7,8 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/render/vertebra_scenes.hpp"
 #include "foramen/sampling/lift_to_surface.hpp"
+#include "render/vertebra_scenes.hpp"
 
 namespace foramen {
 namespace {
@@ -37,8 +37,7 @@ bool faces_its_middle(const Mesh& mesh, const VertexMap<Vec3>& normals, const st
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const auto corners = mesh.corners(loop[i].face);
     Vec3 normal = Vec3::Zero();
-    for (int k = 0; k < 3; ++k)
-      normal += loop[i].barycentric[k] * normals[corners[static_cast<std::size_t>(k)]];
+    for (int k = 0; k < 3; ++k) normal += loop[i].barycentric[k] * normals[corners[k]];
     inward += normal.dot(middle - points[i]);
   }
   return inward > 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "foramen/core/surface_point.hpp"
-#include "foramen/modelfiles/atlas_file.hpp"
+#include "modelfiles/atlas_file.hpp"
 
 namespace foramen {
 

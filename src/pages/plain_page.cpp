@@ -1,7 +1,7 @@
 #include "pages/plain_page.hpp"
 
-#include "foramen/pages/model_pictures.hpp"
-#include "foramen/render/render_scene.hpp"
+#include "pages/model_pictures.hpp"
+#include "render/render_scene.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,4 @@
-#include "foramen/pages/render_model.hpp"
+#include "pages/render_model.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,13 +7,13 @@
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
-#include "foramen/pages/model_pictures.hpp"
-#include "foramen/render/render_scene.hpp"
-#include "foramen/report/pdf_chart.hpp"
+#include "io/atomic_file.hpp"
+#include "modelfiles/metrics_file.hpp"
 #include "modelfiles/model_record.hpp"
+#include "pages/model_pictures.hpp"
+#include "render/render_scene.hpp"
+#include "report/pdf_chart.hpp"
 
 namespace foramen {
 namespace {
@@ -36,8 +36,7 @@ ReportPicture worst_shape(const fs::path& folder, const ModelRecord& record) {
   const auto worst =
       std::max_element(record.error_maps.begin(), record.error_maps.end(),
                        [&](const ErrorMap& a, const ErrorMap& b) { return largest(a) < largest(b); });
-  const std::string& shape =
-      record.evaluation.names[static_cast<std::size_t>(worst - record.error_maps.begin())];
+  const std::string& shape = record.evaluation.names[worst - record.error_maps.begin()];
   return shape_distance_picture(shape, corresponding(folder, record, shape), *worst);
 }
 
@@ -49,7 +48,7 @@ std::vector<SharedShape> shared_shapes(const ModelRecord& ours, const ModelRecor
   const auto& names = baseline.evaluation.names;
   for (std::size_t i = 0; i < ours.evaluation.names.size(); ++i) {
     const auto found = std::find(names.begin(), names.end(), ours.evaluation.names[i]);
-    if (found != names.end()) shared.emplace_back(i, static_cast<std::size_t>(found - names.begin()));
+    if (found != names.end()) shared.emplace_back(i, found - names.begin());
   }
   return shared;
 }
@@ -84,7 +83,7 @@ Eigen::Affine3d transform_of(const fs::path& folder, const ModelRecord& record, 
   if (found == names.end())
     throw IoError((folder / "atlas.h5").string() + ": has no transform of " + shape +
                   "; build the model again");
-  return Eigen::Affine3d(record.atlas.transforms[static_cast<std::size_t>(found - names.begin())]);
+  return Eigen::Affine3d(record.atlas.transforms[found - names.begin()]);
 }
 
 std::vector<ReportPicture> beside_baseline(const fs::path& folder, const ModelRecord& ours,

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/version.hpp"
-#include "foramen/report/encoded_array.hpp"
+#include "modelfiles/version.hpp"
 #include "pages/page_loops.hpp"
+#include "report/encoded_array.hpp"
 
 namespace foramen {
 namespace {
@@ -29,7 +29,7 @@ ordered_json array_json(const std::vector<T>& values, std::vector<std::size_t> s
 template <class Derived>
 std::vector<float> floats(const Eigen::DenseBase<Derived>& values) {
   std::vector<float> out;
-  out.reserve(static_cast<std::size_t>(values.size()));
+  out.reserve(values.size());
   for (Eigen::Index i = 0; i < values.size(); ++i) out.push_back(static_cast<float>(values(i)));
   return out;
 }
@@ -50,7 +50,7 @@ int page_modes(const ShapeModel& model) { return std::min(model.modes(), most_mo
 
 ordered_json model_json(const ModelRecord& record) {
   const ShapeModel& model = record.loaded.model;
-  const auto landmarks = static_cast<std::size_t>(model.landmarks());
+  const std::size_t landmarks = model.landmarks();
   const int modes = page_modes(model);
   std::vector<float> displacements;
   ordered_json shares = ordered_json::array();

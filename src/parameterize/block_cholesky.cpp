@@ -9,12 +9,10 @@
 namespace foramen {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 // The place of v among rows, which are sorted by order of elimination.
 int place(const std::vector<int>& rows, const std::vector<int>& order, int v) {
-  const auto it = std::lower_bound(rows.begin(), rows.end(), v,
-                                   [&](int a, int b) { return order[at(a)] < order[at(b)]; });
+  const auto it =
+      std::lower_bound(rows.begin(), rows.end(), v, [&](int a, int b) { return order[a] < order[b]; });
   FORAMEN_ASSERT(it != rows.end() && *it == v);
   return static_cast<int>(it - rows.begin());
 }
@@ -28,12 +26,12 @@ void BlockMatrix::set_zero() {
 
 BlockCholesky::BlockCholesky(const Mesh& mesh, const Eigen::MatrixXd& coordinates) {
   const DissectionTree tree = dissect(mesh, coordinates);
-  std::vector<int> order(at(mesh.vertex_count())), node_of(at(mesh.vertex_count()));
+  std::vector<int> order(mesh.vertex_count()), node_of(mesh.vertex_count());
   int next = 0;
   for (std::size_t k = 0; k < tree.size(); ++k)
     for (int v : tree[k].columns) {
-      order[at(v)] = next++;
-      node_of[at(v)] = static_cast<int>(k);
+      order[v] = next++;
+      node_of[v] = static_cast<int>(k);
     }
   FORAMEN_ASSERT(next == mesh.vertex_count());
   fronts_.resize(tree.size());
@@ -45,32 +43,32 @@ BlockCholesky::BlockCholesky(const Mesh& mesh, const Eigen::MatrixXd& coordinate
 // Rows of a front: its columns, and every later vertex that is a neighbour of them or was filled in by its
 // children.
 void BlockCholesky::find_rows(const Mesh& mesh, const DissectionTree& tree, const std::vector<int>& order) {
-  std::vector<int> seen_by(at(mesh.vertex_count()), -1);
+  std::vector<int> seen_by(mesh.vertex_count(), -1);
   for (std::size_t k = 0; k < tree.size(); ++k) {
     Front& front = fronts_[k];
     front.columns = static_cast<int>(tree[k].columns.size());
     front.rows = tree[k].columns;
-    for (int v : front.rows) seen_by[at(v)] = static_cast<int>(k);
-    const int last = front.columns > 0 ? order[at(front.rows.back())] : -1;
+    for (int v : front.rows) seen_by[v] = static_cast<int>(k);
+    const int last = front.columns > 0 ? order[front.rows.back()] : -1;
     const auto add = [&](int w) {
-      if (seen_by[at(w)] == static_cast<int>(k)) return;
-      seen_by[at(w)] = static_cast<int>(k);
+      if (seen_by[w] == static_cast<int>(k)) return;
+      seen_by[w] = static_cast<int>(k);
       front.rows.push_back(w);
     };
     for (int v : tree[k].columns)
       for (HalfedgeId h : mesh.fan(VertexId(v)))
-        if (order[at(mesh.to(h).index)] > last) add(mesh.to(h).index);
+        if (order[mesh.to(h).index] > last) add(mesh.to(h).index);
     for (int child : tree[k].children) {
       if (child < 0) continue;
       front.children.push_back(child);
-      const Front& c = fronts_[at(child)];
-      for (std::size_t i = at(c.columns); i < c.rows.size(); ++i) add(c.rows[i]);
+      const Front& c = fronts_[child];
+      for (std::size_t i = c.columns; i < c.rows.size(); ++i) add(c.rows[i]);
     }
     std::sort(front.rows.begin() + front.columns, front.rows.end(),
-              [&](int a, int b) { return order[at(a)] < order[at(b)]; });
+              [&](int a, int b) { return order[a] < order[b]; });
     for (int child : front.children) {
-      Front& c = fronts_[at(child)];
-      for (std::size_t i = at(c.columns); i < c.rows.size(); ++i)
+      Front& c = fronts_[child];
+      for (std::size_t i = c.columns; i < c.rows.size(); ++i)
         c.row_in_parent.push_back(place(front.rows, order, c.rows[i]));
     }
   }
@@ -80,9 +78,9 @@ void BlockCholesky::place_entries(const Mesh& mesh, const std::vector<int>& orde
                                   const std::vector<int>& node_of) {
   for (EdgeId e : mesh.edges()) {
     const int from = mesh.from(mesh.halfedge(e)).index, to = mesh.to(mesh.halfedge(e)).index;
-    const bool from_first = order[at(from)] < order[at(to)];
+    const bool from_first = order[from] < order[to];
     const int column = from_first ? from : to, row = from_first ? to : from;
-    Front& front = fronts_[at(node_of[at(column)])];
+    Front& front = fronts_[node_of[column]];
     // The stored block has the rows of `from`; below the diagonal stand the rows of the later vertex.
     front.entries.push_back({e, place(front.rows, order, row), place(front.rows, order, column), from_first});
   }
@@ -93,7 +91,7 @@ void BlockCholesky::assemble(Front& front, Eigen::MatrixXd& update, const BlockM
   front.factor.setZero(2 * static_cast<int>(front.rows.size()), 2 * front.columns);
   update.setZero(2 * below, 2 * below);
   for (int i = 0; i < front.columns; ++i)
-    front.factor.block<2, 2>(2 * i, 2 * i) = matrix.diagonal[VertexId(front.rows[at(i)])];
+    front.factor.block<2, 2>(2 * i, 2 * i) = matrix.diagonal[VertexId(front.rows[i])];
   for (const Entry& e : front.entries) {
     const Mat2& block = matrix.coupling[e.edge];
     if (e.transposed)
@@ -102,17 +100,17 @@ void BlockCholesky::assemble(Front& front, Eigen::MatrixXd& update, const BlockM
       front.factor.block<2, 2>(2 * e.row, 2 * e.column) = block;
   }
   for (int child : front.children) {
-    const std::vector<int>& to = fronts_[at(child)].row_in_parent;
-    Eigen::MatrixXd& from = updates_[at(child)];
+    const std::vector<int>& to = fronts_[child].row_in_parent;
+    Eigen::MatrixXd& from = updates_[child];
     const int size = static_cast<int>(to.size());
     for (int j = 0; j < size; ++j) {
-      const int column = to[at(j)];
+      const int column = to[j];
       const bool here = column < front.columns;
       Eigen::MatrixXd& target = here ? front.factor : update;
       const int shift = here ? 0 : front.columns;
       // Only lower triangles are used; above the diagonal of a diagonal block anything may stand.
       for (int i = j; i < size; ++i)
-        target.block<2, 2>(2 * (to[at(i)] - shift), 2 * (column - shift)) += from.block<2, 2>(2 * i, 2 * j);
+        target.block<2, 2>(2 * (to[i] - shift), 2 * (column - shift)) += from.block<2, 2>(2 * i, 2 * j);
     }
     from.resize(0, 0);
   }
@@ -143,13 +141,11 @@ void BlockCholesky::solve(Eigen::MatrixXd& rhs) const {
     const Eigen::Index columns = 2 * front.columns, below = front.factor.rows() - columns;
     if (columns == 0) continue;
     local.resize(columns, rhs.cols());
-    for (int i = 0; i < front.columns; ++i)
-      local.middleRows<2>(2 * i) = rhs.middleRows<2>(2 * front.rows[at(i)]);
+    for (int i = 0; i < front.columns; ++i) local.middleRows<2>(2 * i) = rhs.middleRows<2>(2 * front.rows[i]);
     front.factor.topRows(columns).triangularView<Eigen::Lower>().solveInPlace(local);
-    for (int i = 0; i < front.columns; ++i)
-      rhs.middleRows<2>(2 * front.rows[at(i)]) = local.middleRows<2>(2 * i);
+    for (int i = 0; i < front.columns; ++i) rhs.middleRows<2>(2 * front.rows[i]) = local.middleRows<2>(2 * i);
     spread.noalias() = front.factor.bottomRows(below) * local;
-    for (std::size_t i = at(front.columns); i < front.rows.size(); ++i)
+    for (std::size_t i = front.columns; i < front.rows.size(); ++i)
       rhs.middleRows<2>(2 * front.rows[i]) -= spread.middleRows<2>(2 * (static_cast<int>(i) - front.columns));
   }
   for (auto it = fronts_.rbegin(); it != fronts_.rend(); ++it) {
@@ -158,14 +154,12 @@ void BlockCholesky::solve(Eigen::MatrixXd& rhs) const {
     if (columns == 0) continue;
     local.resize(columns, rhs.cols());
     spread.resize(below, rhs.cols());
-    for (int i = 0; i < front.columns; ++i)
-      local.middleRows<2>(2 * i) = rhs.middleRows<2>(2 * front.rows[at(i)]);
-    for (std::size_t i = at(front.columns); i < front.rows.size(); ++i)
+    for (int i = 0; i < front.columns; ++i) local.middleRows<2>(2 * i) = rhs.middleRows<2>(2 * front.rows[i]);
+    for (std::size_t i = front.columns; i < front.rows.size(); ++i)
       spread.middleRows<2>(2 * (static_cast<int>(i) - front.columns)) = rhs.middleRows<2>(2 * front.rows[i]);
     local.noalias() -= front.factor.bottomRows(below).transpose() * spread;
     front.factor.topRows(columns).triangularView<Eigen::Lower>().transpose().solveInPlace(local);
-    for (int i = 0; i < front.columns; ++i)
-      rhs.middleRows<2>(2 * front.rows[at(i)]) = local.middleRows<2>(2 * i);
+    for (int i = 0; i < front.columns; ++i) rhs.middleRows<2>(2 * front.rows[i]) = local.middleRows<2>(2 * i);
   }
 }
 

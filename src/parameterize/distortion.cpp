@@ -1,4 +1,4 @@
-#include "foramen/parameterize/distortion.hpp"
+#include "parameterize/distortion.hpp"
 
 #include <algorithm>
 #include <cmath>

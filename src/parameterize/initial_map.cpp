@@ -1,4 +1,4 @@
-#include "foramen/parameterize/initial_map.hpp"
+#include "parameterize/initial_map.hpp"
 
 #include <string>
 

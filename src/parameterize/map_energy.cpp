@@ -56,7 +56,7 @@ MapEnergy::MapEnergy(const Mesh& mesh, const TorusMap& start, const OptimiseMapO
   const double surface = total_area(mesh), domain = metric ? metric->area : start.lattice.determinant();
   const double scale = std::sqrt(domain / surface), lambda = objective ? options.lambda : 1.0;
   const MapState first = state(start);
-  triangles_.reserve(static_cast<std::size_t>(mesh.face_count()));
+  triangles_.reserve(mesh.face_count());
   for (FaceId f : mesh.faces()) {
     Triangle t;
     const auto c = mesh.corners(f);
@@ -74,10 +74,10 @@ MapEnergy::MapEnergy(const Mesh& mesh, const TorusMap& start, const OptimiseMapO
     triangles_.push_back(t);
   }
   if (!objective) return;
-  vertex_weights_.assign(static_cast<std::size_t>(mesh.vertex_count()), 1.0);
+  vertex_weights_.assign(mesh.vertex_count(), 1.0);
   if (!by_area) return;
   const VertexMap<double> areas = vertex_areas(mesh);
-  for (VertexId v : mesh.vertices()) vertex_weights_[static_cast<std::size_t>(v.index)] = areas[v] / surface;
+  for (VertexId v : mesh.vertices()) vertex_weights_[v.index] = areas[v] / surface;
 }
 
 double MapEnergy::value(const MapState& state) const {
@@ -95,7 +95,7 @@ double MapEnergy::value(const MapState& state) const {
 CorrespondenceObjective::Term MapEnergy::correspondence(int vertex, const Vec2& plane_position) const {
   if (!objective_) return {};
   CorrespondenceObjective::Term term = objective_->term(VertexId(vertex), plane_position);
-  const double weight = vertex_weights_[static_cast<std::size_t>(vertex)];
+  const double weight = vertex_weights_[vertex];
   term.value *= weight;
   term.gradient *= weight;
   term.hessian *= weight;

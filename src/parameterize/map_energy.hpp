@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "foramen/parameterize/distortion.hpp"
 #include "foramen/parameterize/optimise_map.hpp"
+#include "parameterize/distortion.hpp"
 
 namespace foramen {
 

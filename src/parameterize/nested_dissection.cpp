@@ -23,13 +23,13 @@ struct Graph {
       ++begin[static_cast<std::size_t>(mesh.to(h).index) + 1];
     }
     for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    neighbour.resize(static_cast<std::size_t>(begin.back()));
+    neighbour.resize(begin.back());
     std::vector<int> next(begin.begin(), begin.end() - 1);
     for (EdgeId e : mesh.edges()) {
       const HalfedgeId h = mesh.halfedge(e);
       const int a = mesh.from(h).index, b = mesh.to(h).index;
-      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(a)]++)] = b;
-      neighbour[static_cast<std::size_t>(next[static_cast<std::size_t>(b)]++)] = a;
+      neighbour[next[a]++] = b;
+      neighbour[next[b]++] = a;
     }
   }
 };
@@ -37,9 +37,7 @@ struct Graph {
 class Dissection {
  public:
   Dissection(const Mesh& mesh, const Eigen::MatrixXd& coordinates)
-      : graph_(mesh),
-        coordinates_(coordinates),
-        side_(static_cast<std::size_t>(mesh.vertex_count()), outside) {}
+      : graph_(mesh), coordinates_(coordinates), side_(mesh.vertex_count(), outside) {}
 
   DissectionTree run() {
     std::vector<int> all(side_.size());
@@ -79,26 +77,23 @@ class Dissection {
       std::nth_element(part.begin(), middle, part.end(), [&](int a, int b) {
         return std::make_pair(coordinates_(a, axis), a) < std::make_pair(coordinates_(b, axis), b);
       });
-      for (auto it = part.begin(); it != part.end(); ++it)
-        side_[static_cast<std::size_t>(*it)] = it < middle ? low : high;
+      for (auto it = part.begin(); it != part.end(); ++it) side_[*it] = it < middle ? low : high;
       for (const Side taken : {low, high}) {
-        const auto size = static_cast<std::size_t>(
-            std::count_if(part.begin(), part.end(), [&](int v) { return is_border(v, taken); }));
+        const std::size_t size =
+            std::count_if(part.begin(), part.end(), [&](int v) { return is_border(v, taken); });
         if (best.separator.empty() || size < best.separator.size()) best = divided(part, taken);
       }
     }
-    for (int v : part) side_[static_cast<std::size_t>(v)] = outside;
+    for (int v : part) side_[v] = outside;
     return best;
   }
 
   // On this side, with a neighbour on the other.
   bool is_border(int v, Side taken) const {
-    if (side_[static_cast<std::size_t>(v)] != taken) return false;
+    if (side_[v] != taken) return false;
     const auto other = taken == low ? high : low;
-    for (int k = graph_.begin[static_cast<std::size_t>(v)]; k < graph_.begin[static_cast<std::size_t>(v) + 1];
-         ++k)
-      if (side_[static_cast<std::size_t>(graph_.neighbour[static_cast<std::size_t>(k)])] == other)
-        return true;
+    for (int k = graph_.begin[v]; k < graph_.begin[static_cast<std::size_t>(v) + 1]; ++k)
+      if (side_[graph_.neighbour[k]] == other) return true;
     return false;
   }
 
@@ -108,7 +103,7 @@ class Dissection {
       if (is_border(v, taken))
         out.separator.push_back(v);
       else
-        (side_[static_cast<std::size_t>(v)] == low ? out.first : out.second).push_back(v);
+        (side_[v] == low ? out.first : out.second).push_back(v);
     }
     // By index, not in the order nth_element happened to leave them.
     std::sort(out.separator.begin(), out.separator.end());

@@ -53,12 +53,11 @@ LatticeShape LatticeShape::moved(const Vec2& by) const {
 NewtonSystem::NewtonSystem(const MapEnergy& energy, bool free_lattice)
     : hessian(energy.mesh()), energy_(energy), free_lattice_(free_lattice) {
   const Mesh& mesh = energy.mesh();
-  places_.resize(static_cast<std::size_t>(mesh.face_count()));
+  places_.resize(mesh.face_count());
   for (FaceId f : mesh.faces())
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h = Mesh::halfedge(f, k);
-      places_[static_cast<std::size_t>(f.index)][static_cast<std::size_t>(k)] = {
-          mesh.edge(h), mesh.halfedge(mesh.edge(h)) == h};
+      places_[f.index][k] = {mesh.edge(h), mesh.halfedge(mesh.edge(h)) == h};
     }
 }
 

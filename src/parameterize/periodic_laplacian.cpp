@@ -30,19 +30,19 @@ VertexMap<Vec2> average_of_neighbours(const Mesh& mesh, const Cocycle& form,
   if (count == 0) return p;
 
   std::vector<Eigen::Triplet<double>> entries;
-  std::vector<double> degree(static_cast<std::size_t>(count), 0.0);
+  std::vector<double> degree(count, 0.0);
   Eigen::MatrixX2d rhs = Eigen::MatrixX2d::Zero(count, 2);
   for (HalfedgeId h : mesh.halfedges()) {
     const int i = unknown[mesh.from(h)], j = unknown[mesh.to(h)];
     if (i < 0) continue;
-    degree[static_cast<std::size_t>(i)] += 1;
+    degree[i] += 1;
     rhs.row(i) += form.value[h].cast<double>().transpose();
     if (j < 0)
       rhs.row(i) += p[mesh.to(h)].transpose();
     else if (j < i)
       entries.emplace_back(i, j, -1.0);
   }
-  for (int i = 0; i < count; ++i) entries.emplace_back(i, i, degree[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < count; ++i) entries.emplace_back(i, i, degree[i]);
   Eigen::SparseMatrix<double> laplacian(count, count);
   laplacian.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky(laplacian);

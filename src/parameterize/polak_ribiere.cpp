@@ -42,7 +42,7 @@ class NodeEnergy {
     const CorrespondenceObjective::Term own = energy_.correspondence(node_, position);
     Value sum{own.value, own.gradient};
     for (const RingTriangle& r : ring_) {
-      const MapEnergy::Triangle& t = energy_.triangles()[static_cast<std::size_t>(r.triangle)];
+      const MapEnergy::Triangle& t = energy_.triangles()[r.triangle];
       const DistortionGradient e = distortion_gradient(t.rest, MapEnergy::edges(t, state_));
       if (!std::isfinite(e.value)) return {std::numeric_limits<double>::infinity(), Vec2::Zero()};
       sum.energy += t.weight * e.value;
@@ -57,7 +57,7 @@ class NodeEnergy {
     state_.x.col(node_) = position;
     double least = std::numeric_limits<double>::infinity();
     for (const RingTriangle& r : ring_) {
-      const MapEnergy::Triangle& t = energy_.triangles()[static_cast<std::size_t>(r.triangle)];
+      const MapEnergy::Triangle& t = energy_.triangles()[r.triangle];
       Vec4 d = Vec4::Zero();
       if (r.corner != 2) d.head<2>() = r.corner == 0 ? Vec2(-direction) : direction;
       if (r.corner != 1) d.tail<2>() = r.corner == 0 ? Vec2(-direction) : direction;
@@ -135,7 +135,7 @@ struct Rings {
     begin.push_back(triangles.size());
   }
   std::span<const RingTriangle> of(int v) const {
-    const auto i = static_cast<std::size_t>(v);
+    const std::size_t i = v;
     return {triangles.data() + begin[i], begin[i + 1] - begin[i]};
   }
 };

@@ -4,7 +4,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/initial_map.hpp"
+#include "parameterize/initial_map.hpp"
 #include "parameterize/periodic_laplacian.hpp"
 
 namespace foramen {
@@ -110,12 +110,12 @@ bool take_a_chord(const Mesh& mesh, const Cocycle& form, Arc& arc) {
   VertexMap<int> place(mesh.vertex_count(), -1);
   for (std::size_t k = 0; k < arc.size(); ++k) place[mesh.to(arc[k])] = static_cast<int>(k) + 1;
   for (int a = 0; a < static_cast<int>(arc.size()); ++a)
-    for (HalfedgeId h : mesh.fan(mesh.from(arc[static_cast<std::size_t>(a)]))) {
+    for (HalfedgeId h : mesh.fan(mesh.from(arc[a]))) {
       const int b = place[mesh.to(h)];
       if (b < a + 2) continue;
       // On a torus a closed walk without periods can be pulled together.
-      if (form.value[h] != sums[static_cast<std::size_t>(b)] - sums[static_cast<std::size_t>(a)]) continue;
-      arc[static_cast<std::size_t>(a)] = h;
+      if (form.value[h] != sums[b] - sums[a]) continue;
+      arc[a] = h;
       arc.erase(arc.begin() + a + 1, arc.begin() + b);
       return true;
     }

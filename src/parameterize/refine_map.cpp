@@ -1,4 +1,4 @@
-#include "foramen/parameterize/refine_map.hpp"
+#include "parameterize/refine_map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/distortion.hpp"
+#include "parameterize/distortion.hpp"
 
 namespace foramen {
 namespace {
@@ -234,7 +234,7 @@ class Refiner {
 
 Refiner::Refiner(const Mesh& input, const WorkingMesh& working, const TorusMap& coarse)
     : input_(input),
-      corners_(static_cast<std::size_t>(input.face_count())),
+      corners_(input.face_count()),
       map_{coarse.lattice, VertexMap<Vec2>(input.vertex_count(), Vec2::Zero()),
            HalfedgeMap<Vec2i>(input.halfedge_count(), Vec2i::Zero())},
       inverse_lattice_(coarse.lattice.inverse()),
@@ -245,17 +245,17 @@ Refiner::Refiner(const Mesh& input, const WorkingMesh& working, const TorusMap& 
     const auto corners = working.mesh.corners(f);
     for (std::size_t k = 0; k < 3; ++k) {
       const int corner = static_cast<int>(k);
-      corners_[static_cast<std::size_t>(origin.index)][k] = working.vertex_origin[corners[k]];
+      corners_[origin.index][k] = working.vertex_origin[corners[k]];
       map_.jumps[Mesh::halfedge(origin, corner)] = coarse.jumps[Mesh::halfedge(f, corner)];
     }
   }
 }
 
 std::size_t Refiner::corner_of(FaceId f, VertexId v) const {
-  const auto& t = corners_[static_cast<std::size_t>(f.index)];
+  const auto& t = corners_[f.index];
   const auto it = std::find(t.begin(), t.end(), v);
   FORAMEN_ASSERT(it != t.end());
-  return static_cast<std::size_t>(it - t.begin());
+  return it - t.begin();
 }
 
 OneRing Refiner::one_ring(const Collapse& collapse) const {
@@ -271,13 +271,11 @@ OneRing Refiner::one_ring(const Collapse& collapse) const {
   HalfedgeId last;
   for (FaceId f : collapse.moved_faces) {
     const HalfedgeId out = Mesh::halfedge(f, static_cast<int>(corner_of(f, collapse.kept)));
-    add(corners_[static_cast<std::size_t>(f.index)][static_cast<std::size_t>(Mesh::next(out).index % 3)],
-        map_.jumps[out]);
+    add(corners_[f.index][Mesh::next(out).index % 3], map_.jumps[out]);
     last = Mesh::prev(out);
   }
   FORAMEN_ASSERT(last.valid());
-  add(corners_[static_cast<std::size_t>(Mesh::face(last).index)][static_cast<std::size_t>(last.index % 3)],
-      -map_.jumps[last]);
+  add(corners_[Mesh::face(last).index][last.index % 3], -map_.jumps[last]);
   return ring;
 }
 
@@ -314,7 +312,7 @@ void Refiner::restore_faces(const Collapse& collapse) {
   for (std::size_t side = 0; side < 2; ++side) {
     const FaceId f = collapse.dropped_faces[side];
     const auto& corners = collapse.dropped_corners[side];
-    corners_[static_cast<std::size_t>(f.index)] = corners;
+    corners_[f.index] = corners;
     const auto is_apex = [&](std::size_t k) {
       return corners[k] != collapse.removed && corners[k] != collapse.kept;
     };
@@ -323,8 +321,7 @@ void Refiner::restore_faces(const Collapse& collapse) {
       jump = is_apex(k) ? Vec2i(-to_apex[side]) : is_apex((k + 1) % 3) ? to_apex[side] : Vec2i(Vec2i::Zero());
     }
   }
-  for (FaceId f : collapse.moved_faces)
-    corners_[static_cast<std::size_t>(f.index)][corner_of(f, collapse.kept)] = collapse.removed;
+  for (FaceId f : collapse.moved_faces) corners_[f.index][corner_of(f, collapse.kept)] = collapse.removed;
 }
 
 void Refiner::undo(const Collapse& collapse) {

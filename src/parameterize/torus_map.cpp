@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 
 #include "foramen/core/error.hpp"
-#include "foramen/parameterize/distortion.hpp"
+#include "parameterize/distortion.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,4 @@
-#include "foramen/render/close_up.hpp"
+#include "render/close_up.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/render/vertebra_scenes.hpp"
+#include "render/vertebra_scenes.hpp"
 
 namespace foramen {
 namespace {
@@ -101,7 +101,7 @@ DepthImage depth_image(const TriangleSoup& surface, const std::vector<bool>& mar
   seen.reserve(surface.points.size());
   for (const Vec3& p : surface.points) seen.emplace_back(axes.transpose() * p);
   DepthImage image(bounding_box(seen), pixel_mm);
-  const auto point = [&](int v) { return seen[static_cast<std::size_t>(v)]; };
+  const auto point = [&](int v) { return seen[v]; };
   for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
     const auto& t = surface.triangles[f];
     image.draw({point(t[0]), point(t[1]), point(t[2])}, marked[f]);
@@ -114,7 +114,7 @@ DepthImage depth_image(const TriangleSoup& surface, const std::vector<bool>& mar
 Camera close_up(const TriangleSoup& surface, const std::vector<int>& marked, const CloseUpOptions& options) {
   FORAMEN_ASSERT(!marked.empty() && options.pixel_mm > 0 && options.directions > 0);
   std::vector<bool> is_marked(surface.triangles.size(), false);
-  for (int f : marked) is_marked[static_cast<std::size_t>(f)] = true;
+  for (int f : marked) is_marked[f] = true;
   Camera camera;
   int most = -1;
   for (int i = 0; i < options.directions; ++i) {

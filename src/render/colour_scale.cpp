@@ -1,4 +1,4 @@
-#include "foramen/render/colour_scale.hpp"
+#include "render/colour_scale.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "foramen/render/grid_cut.hpp"
+#include "render/grid_cut.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "foramen/render/render_scene.hpp"
+#include "render/render_scene.hpp"
 
 #include <cmath>
 #include <cstdlib>

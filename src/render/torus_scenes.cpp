@@ -1,4 +1,4 @@
-#include "foramen/render/torus_scenes.hpp"
+#include "render/torus_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/surface_point.hpp"
-#include "foramen/render/grid_cut.hpp"
-#include "foramen/render/unfold.hpp"
-#include "foramen/render/vertebra_scenes.hpp"
 #include "foramen/topology/shortest_loops.hpp"
+#include "render/grid_cut.hpp"
+#include "render/unfold.hpp"
+#include "render/vertebra_scenes.hpp"
 
 namespace foramen {
 namespace {
@@ -61,8 +61,7 @@ SceneSurface checkered(const Mesh& mesh, const TorusMap& map, const UnfoldedMap&
   for (FaceId f : mesh.faces()) {
     std::array<Vec2, 3> corners;
     for (int k = 0; k < 3; ++k)
-      corners[static_cast<std::size_t>(k)] =
-          unfolded.corner(mesh, map, Mesh::halfedge(f, k)).cwiseProduct(cells.cast<double>());
+      corners[k] = unfolded.corner(mesh, map, Mesh::halfedge(f, k)).cwiseProduct(cells.cast<double>());
     for (const GridPiece& piece : cut_by_grid(corners)) {
       const int first = static_cast<int>(surface.soup.points.size());
       const int count = static_cast<int>(piece.corners.size());

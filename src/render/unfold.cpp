@@ -1,4 +1,4 @@
-#include "foramen/render/unfold.hpp"
+#include "render/unfold.hpp"
 
 #include <vector>
 
@@ -22,7 +22,7 @@ UnfoldedMap unfold(const Mesh& mesh, const TorusMap& map, const EdgeMap<bool>& c
   UnfoldedMap unfolded{HalfedgeMap<Vec2i>(mesh.halfedge_count(), Vec2i::Zero())};
   FaceMap<bool> placed(mesh.face_count(), false);
   std::vector<FaceId> queue;
-  queue.reserve(static_cast<std::size_t>(mesh.face_count()));
+  queue.reserve(mesh.face_count());
   std::size_t next = 0;
   for (FaceId first : mesh.faces()) {
     if (placed[first]) continue;

@@ -1,4 +1,4 @@
-#include "foramen/render/vertebra_scenes.hpp"
+#include "render/vertebra_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,7 +80,7 @@ SceneSurface marked_surface(const TriangleSoup& surface, const std::vector<int>&
   scene.soup = surface;
   scene.style = style;
   scene.face_colours.assign(surface.triangles.size(), bone);
-  for (int f : marked) scene.face_colours[static_cast<std::size_t>(f)] = red;
+  for (int f : marked) scene.face_colours[f] = red;
   return scene;
 }
 

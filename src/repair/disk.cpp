@@ -20,8 +20,6 @@ constexpr int refining_rounds = 12, flipping_rounds = 20;
 // Opposite angles must exceed two right angles by this before an edge is flipped, so that flips end.
 constexpr double flip_margin = 1e-6;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 using Triangle = std::array<int, 3>;
 
 double angle(const Vec3& tip, const Vec3& a, const Vec3& b) {
@@ -33,9 +31,9 @@ double angle(const Vec3& tip, const Vec3& a, const Vec3& b) {
 std::vector<Triangle> least_area(const std::vector<Vec3>& loop, const std::function<bool(int, int)>& joined) {
   const int n = static_cast<int>(loop.size());
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  std::vector<double> cost(at(n * n), 0);
-  std::vector<int> apex(at(n * n), -1);
-  const auto cell = [n](int i, int k) { return at(i * n + k); };
+  std::vector<double> cost(n * n, 0);
+  std::vector<int> apex(n * n, -1);
+  const auto cell = [n](int i, int k) { return i * n + k; };
   for (int span = 2; span < n; ++span)
     for (int i = 0; i + span < n; ++i) {
       const int k = i + span;
@@ -44,7 +42,7 @@ std::vector<Triangle> least_area(const std::vector<Vec3>& loop, const std::funct
       for (int j = i + 1; j < k; ++j) {
         const double parts = cost[cell(i, j)] + cost[cell(j, k)];
         if (!(parts < cost[cell(i, k)])) continue;
-        const double whole = parts + area({loop[at(i)], loop[at(j)], loop[at(k)]});
+        const double whole = parts + area({loop[i], loop[j], loop[k]});
         if (!(whole < cost[cell(i, k)])) continue;
         cost[cell(i, k)] = whole;
         apex[cell(i, k)] = j;
@@ -100,14 +98,14 @@ class GrowingDisk {
     for (int i = 0; i < loop_size_; ++i) triangles_.push_back({i, (i + 1) % loop_size_, loop_size_});
   }
 
-  double length(int a, int b) const { return (points_[at(a)] - points_[at(b)]).norm(); }
+  double length(int a, int b) const { return (points_[a] - points_[b]).norm(); }
 
   void enter(int t) {
-    for (std::size_t k = 0; k < 3; ++k) left_of_[{triangles_[at(t)][k], triangles_[at(t)][(k + 1) % 3]}] = t;
+    for (std::size_t k = 0; k < 3; ++k) left_of_[{triangles_[t][k], triangles_[t][(k + 1) % 3]}] = t;
   }
 
   int tip(int t, const Edge& e) const {
-    for (int corner : triangles_[at(t)])
+    for (int corner : triangles_[t])
       if (corner != e.first && corner != e.second) return corner;
     FORAMEN_ASSERT(false);
     return -1;
@@ -131,8 +129,8 @@ class GrowingDisk {
     for (const auto& [negative, e] : longer) {
       const int t = left_of_.at(e), u = left_of_.at({e.second, e.first});
       // Halves made in this round lie behind those of before.
-      if (std::max(at(t), at(u)) >= divided.size() || divided[at(t)] != 0 || divided[at(u)] != 0) continue;
-      divided[at(t)] = divided[at(u)] = 1;
+      if (std::max(t, u) >= std::ssize(divided) || divided[t] != 0 || divided[u] != 0) continue;
+      divided[t] = divided[u] = 1;
       split(e, t, u);
     }
     return !longer.empty();
@@ -141,11 +139,11 @@ class GrowingDisk {
   void split(const Edge& e, int t, int u) {
     const auto [a, b] = e;
     const int c = tip(t, e), d = tip(u, e), m = static_cast<int>(points_.size());
-    points_.emplace_back((points_[at(a)] + points_[at(b)]) / 2);
+    points_.emplace_back((points_[a] + points_[b]) / 2);
     left_of_.erase(e);
     left_of_.erase({b, a});
-    triangles_[at(t)] = {a, m, c};
-    triangles_[at(u)] = {b, m, d};
+    triangles_[t] = {a, m, c};
+    triangles_[u] = {b, m, d};
     enter(t);
     enter(u);
     for (const Triangle& half : {Triangle{m, b, c}, Triangle{m, a, d}}) {
@@ -167,15 +165,15 @@ class GrowingDisk {
     const auto t = left_of_.find(e), u = left_of_.find({b, a});
     if (t == left_of_.end() || u == left_of_.end()) return false;  // another flip took it
     const int c = tip(t->second, e), d = tip(u->second, e);
-    const auto p = [&](int i) -> const Vec3& { return points_[at(i)]; };
+    const auto p = [&](int i) -> const Vec3& { return points_[i]; };
     if (angle(p(c), p(a), p(b)) + angle(p(d), p(a), p(b)) <= std::numbers::pi + flip_margin) return false;
     if (c == d || left_of_.contains({c, d}) || left_of_.contains({d, c})) return false;
     if (c < loop_size_ && d < loop_size_ && joined_(c, d)) return false;
     const int first = t->second, second = u->second;
     left_of_.erase(e);
     left_of_.erase({b, a});
-    triangles_[at(first)] = {c, d, b};
-    triangles_[at(second)] = {d, c, a};
+    triangles_[first] = {c, d, b};
+    triangles_[second] = {d, c, a};
     enter(first);
     enter(second);
     return true;
@@ -188,10 +186,10 @@ class GrowingDisk {
       std::vector<Vec3> sum(points_.size(), Vec3::Zero());
       std::vector<int> count(points_.size(), 0);
       for (const auto& [e, t] : left_of_) {
-        sum[at(e.first)] += points_[at(e.second)];
-        ++count[at(e.first)];
+        sum[e.first] += points_[e.second];
+        ++count[e.first];
       }
-      for (std::size_t v = at(loop_size_); v < points_.size(); ++v) points_[v] = sum[v] / count[v];
+      for (std::size_t v = loop_size_; v < points_.size(); ++v) points_[v] = sum[v] / count[v];
     }
   }
 
@@ -205,7 +203,7 @@ class GrowingDisk {
 }  // namespace
 
 Disk disk_of(const std::vector<Vec3>& loop, const std::function<bool(int, int)>& joined) {
-  FORAMEN_ASSERT(loop.size() >= 3 && loop.size() <= at(most_loop_points));
+  FORAMEN_ASSERT(loop.size() >= 3 && loop.size() <= most_loop_points);
   GrowingDisk disk(loop, least_area(loop, joined), joined);
   disk.refine();
   return disk.disk();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen::repair_detail {
 namespace {

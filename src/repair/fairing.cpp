@@ -46,8 +46,7 @@ std::vector<Vec3> faired(const Mesh& mesh, const std::vector<VertexId>& free, Fa
   if (solver.info() != Eigen::Success) return positions;
   const Eigen::MatrixX3d solution = solver.solve(system.transpose() * right);
   if (!solution.allFinite()) return positions;
-  for (const auto& [v, u] : unknown)
-    positions[static_cast<std::size_t>(v.index)] = solution.row(u).transpose();
+  for (const auto& [v, u] : unknown) positions[v.index] = solution.row(u).transpose();
   return positions;
 }
 

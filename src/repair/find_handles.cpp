@@ -7,9 +7,9 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/topology/linking.hpp"
 #include "repair/handle_search.hpp"
 #include "repair/loop_surgery.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 namespace repair_detail {
@@ -31,7 +31,7 @@ EdgeLoop arch_loop(const Mesh& mesh) {
   FORAMEN_ASSERT(divisor > 0);
   EdgeLoop walk;
   for (int k = 0; k < 2; ++k) {
-    const EdgeLoop& loop = system.loops[static_cast<std::size_t>(k)];
+    const EdgeLoop& loop = system.loops[k];
     const int times = a[k] / divisor;
     for (int i = 0; i < std::abs(times); ++i) {
       if (times > 0)

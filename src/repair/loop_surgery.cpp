@@ -26,8 +26,7 @@ Mesh cut_and_closed(const Mesh& mesh, const EdgeLoop& loop) {
     const HalfedgeId arriving = loop[i], leaving = loop[(i + 1) % loop.size()];
     // Counter-clockwise from the way back to the way on.
     for (HalfedgeId h = mesh.twin(arriving); h != leaving; h = mesh.rotated(h))
-      soup.triangles[static_cast<std::size_t>(h.index / 3)][static_cast<std::size_t>(h.index % 3)] =
-          right[mesh.from(h)];
+      soup.triangles[h.index / 3][h.index % 3] = right[mesh.from(h)];
   }
   const int left_tip = static_cast<int>(soup.points.size()), right_tip = left_tip + 1;
   soup.points.insert(soup.points.end(), 2, loop_centre(mesh, loop));

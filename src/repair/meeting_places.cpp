@@ -22,8 +22,8 @@ MeetingPlaces::MeetingPlaces(const Mesh& mesh, const std::vector<std::pair<FaceI
   }
 
   // Faces with such a vertex hang together; sheets that meet belong together.
-  DisjointSets sets(static_cast<std::size_t>(mesh.vertex_count()));
-  const auto at = [](VertexId v) { return static_cast<std::size_t>(v.index); };
+  DisjointSets sets(mesh.vertex_count());
+  const auto at = [](VertexId v) { return v.index; };
   for (FaceId f : mesh.faces()) {
     VertexId first;
     for (VertexId v : mesh.corners(f)) {

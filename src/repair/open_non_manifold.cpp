@@ -14,8 +14,7 @@ namespace {
 // Flaps may hang on flaps; a soup without end of them is not worth more rounds.
 constexpr int rounds = 10;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-std::size_t face(const Side& side) { return at(side.halfedge / 3); }
+std::size_t face(const Side& side) { return side.halfedge / 3; }
 
 struct Pieces {
   std::vector<std::size_t> of_face;  // the smallest face of its piece
@@ -32,7 +31,7 @@ Pieces pieces_of(const TriangleSoup& soup, const EdgeSides& edges) {
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     const auto& t = soup.triangles[f];
     pieces.of_face.push_back(sets.root(f));
-    areas[sets.root(f)] += area({soup.points[at(t[0])], soup.points[at(t[1])], soup.points[at(t[2])]});
+    areas[sets.root(f)] += area({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]});
   }
   for (const auto& [piece, size] : areas) pieces.by_area.push_back(piece);
   std::stable_sort(pieces.by_area.begin(), pieces.by_area.end(),
@@ -102,14 +101,14 @@ using Strand = std::vector<Side>;
 // runs backward: each backward one and the forward one that follows have solid between them.
 std::vector<Strand> strands(const TriangleSoup& soup, std::span<const Side> sides) {
   if (sides.size() <= 2) return {Strand(sides.begin(), sides.end())};
-  const Vec3 &low = soup.points[at(sides[0].low)], &high = soup.points[at(sides[0].high)];
+  const Vec3 &low = soup.points[sides[0].low], &high = soup.points[sides[0].high];
   Vec3 axis = (high - low).normalized();
   if (!(axis.norm() > 0.5)) axis = Vec3::UnitZ();  // ends that rounding does not tell apart
   const Vec3 across = axis.unitOrthogonal(), third = axis.cross(across);
   std::vector<std::pair<double, Side>> round;
   for (const Side& side : sides) {
     const auto& t = soup.triangles[face(side)];
-    const Vec3 arm = soup.points[at(t[at((side.halfedge + 2) % 3)])] - low;
+    const Vec3 arm = soup.points[t[(side.halfedge + 2) % 3]] - low;
     round.emplace_back(std::atan2(arm.dot(third), arm.dot(across)), side);
   }
   std::sort(round.begin(), round.end(), [](const auto& a, const auto& b) {
@@ -130,11 +129,11 @@ std::vector<Strand> strands(const TriangleSoup& soup, std::span<const Side> side
 
 std::size_t corner_at_low(const Side& s) {
   const int f = s.halfedge / 3, k = s.halfedge % 3;
-  return at(3 * f + (s.forward ? k : (k + 1) % 3));
+  return 3 * f + (s.forward ? k : (k + 1) % 3);
 }
 std::size_t corner_at_high(const Side& s) {
   const int f = s.halfedge / 3, k = s.halfedge % 3;
-  return at(3 * f + (s.forward ? (k + 1) % 3 : k));
+  return 3 * f + (s.forward ? (k + 1) % 3 : k);
 }
 
 // One point for each fan: the first fan of a point keeps it.
@@ -147,11 +146,11 @@ std::vector<int> double_points(RawSurface& surface, DisjointSets& fans) {
     int& corner = soup.triangles[c / 3][c % 3];
     const std::size_t fan = fans.root(c);
     auto [entry, is_new] = point_of_fan.emplace(fan, corner);
-    if (is_new && ++count[at(corner)] > 1) {
+    if (is_new && ++count[corner] > 1) {
       entry->second = static_cast<int>(soup.points.size());
-      const Vec3 position = soup.points[at(corner)];
+      const Vec3 position = soup.points[corner];
       soup.points.push_back(position);
-      surface.origin.push_back(surface.origin[at(corner)]);
+      surface.origin.push_back(surface.origin[corner]);
     }
     corner = entry->second;
   }
@@ -165,10 +164,10 @@ bool divide(RawSurface& surface, const Strand& strand, std::vector<char>& divide
     if (divided[face(side)] != 0) return false;
   const int middle = static_cast<int>(soup.points.size());
   for (const Side& side : strand) {
-    const std::size_t from = at(side.halfedge % 3), to = (from + 1) % 3;
+    const std::size_t from = side.halfedge % 3, to = (from + 1) % 3;
     std::array<int, 3> first = soup.triangles[face(side)], second = first;
-    if (soup.points.size() == at(middle)) {
-      const Vec3 position = (soup.points[at(first[from])] + soup.points[at(first[to])]) / 2;
+    if (std::ssize(soup.points) == middle) {
+      const Vec3 position = (soup.points[first[from]] + soup.points[first[to]]) / 2;
       soup.points.push_back(position);
       surface.origin.push_back(-1);
     }
@@ -185,7 +184,7 @@ std::vector<Vec3> non_manifold_edges(const TriangleSoup& soup) {
   std::vector<Vec3> middles;
   for (std::size_t e = 0; e < edges.edge_count(); ++e)
     if (const auto sides = edges.sides(e); sides.size() > 2)
-      middles.emplace_back((soup.points[at(sides[0].low)] + soup.points[at(sides[0].high)]) / 2);
+      middles.emplace_back((soup.points[sides[0].low] + soup.points[sides[0].high]) / 2);
   return middles;
 }
 
@@ -204,7 +203,7 @@ std::vector<Vec3> take_apart(RawSurface& surface) {
         fans.join(corner_at_high(side), corner_at_high(strand[0]));
       }
     if (here.size() < 2) continue;
-    on_opened[at(here[0][0].low)] = on_opened[at(here[0][0].high)] = 1;
+    on_opened[here[0][0].low] = on_opened[here[0][0].high] = 1;
     opened.push_back(std::move(here));
   }
   const std::vector<int> fan_count = double_points(surface, fans);

@@ -1,4 +1,4 @@
-#include "foramen/repair/part_sheets.hpp"
+#include "repair/part_sheets.hpp"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ Remedy shifted(double distance_mm) {
       const int ring = places.ring[v];
       if (ring < 0) continue;
       const double share = 1 - static_cast<double>(ring) / (place_rings + 1);
-      moved[static_cast<std::size_t>(v.index)] += share * distance_mm * normals[v];
+      moved[v.index] += share * distance_mm * normals[v];
     }
     return moved;
   };
@@ -80,18 +80,17 @@ class Parting {
   void attempt(const Remedy& remedy) {
     const MeetingPlaces places(now_.mesh, pairs_);
     const std::vector<Vec3> trial = remedy(now_.mesh, places);
-    std::vector<char> helped(static_cast<std::size_t>(places.count), 1);
+    std::vector<char> helped(places.count, 1);
     for (VertexId v : now_.mesh.vertices())
       if (places.of_vertex[v] >= 0 && move(v, trial) > options_.largest_move_mm)
-        helped[static_cast<std::size_t>(places.of_vertex[v])] = 0;
+        helped[places.of_vertex[v]] = 0;
     for (const auto& [f, g] : meeting_pairs(now_.mesh.with_positions(trial)))
       for (FaceId face : {f, g})
-        if (places.of_face[face] >= 0) helped[static_cast<std::size_t>(places.of_face[face])] = 0;
+        if (places.of_face[face] >= 0) helped[places.of_face[face]] = 0;
 
     std::vector<Vec3> taken(now_.mesh.positions().begin(), now_.mesh.positions().end());
     for (VertexId v : now_.mesh.vertices())
-      if (const int p = places.of_vertex[v]; p >= 0 && helped[static_cast<std::size_t>(p)] != 0)
-        taken[static_cast<std::size_t>(v.index)] = trial[static_cast<std::size_t>(v.index)];
+      if (const int p = places.of_vertex[v]; p >= 0 && helped[p] != 0) taken[v.index] = trial[v.index];
     const Mesh mesh = now_.mesh.with_positions(taken);
     auto pairs = meeting_pairs(mesh);
     if (pairs.size() >= pairs_.size()) return;
@@ -119,11 +118,11 @@ class Parting {
         if (closed.euler_characteristic() != now_.mesh.euler_characteristic()) break;
         auto pairs = meeting_pairs(closed);
         if (pairs.size() >= pairs_.size()) continue;
-        std::vector<char> helped(static_cast<std::size_t>(places.count), 0);
-        helped[static_cast<std::size_t>(place)] = 1;
+        std::vector<char> helped(places.count, 0);
+        helped[place] = 1;
         note_parted(places, helped);
         VertexMap<VertexId> origin = open->origin;
-        origin.values().resize(static_cast<std::size_t>(closed.vertex_count()));
+        origin.values().resize(closed.vertex_count());
         now_ = {closed, composed(now_.origin, origin)};
         pairs_ = std::move(pairs);
         return true;
@@ -146,7 +145,7 @@ class Parting {
 
  private:
   double move(VertexId v, const std::vector<Vec3>& positions) const {
-    return (positions[static_cast<std::size_t>(v.index)] - now_.mesh.position(v)).norm();
+    return (positions[v.index] - now_.mesh.position(v)).norm();
   }
 
   Vec3 middle(const std::pair<FaceId, FaceId>& pair) const {
@@ -158,7 +157,7 @@ class Parting {
 
   void note_parted(const MeetingPlaces& places, const std::vector<char>& helped) {
     for (const auto& pair : pairs_)
-      if (helped[static_cast<std::size_t>(places.of_face[pair.first])] != 0) parted_.push_back(middle(pair));
+      if (helped[places.of_face[pair.first]] != 0) parted_.push_back(middle(pair));
   }
 
   PartSheetsOptions options_;

@@ -89,21 +89,21 @@ std::optional<EditedMesh> without_faces(const Mesh& mesh, FaceSet faces) {
     keep_largest_rest(mesh, faces);
   }
   TriangleSoup soup;
-  std::vector<int> index(static_cast<std::size_t>(mesh.vertex_count()), -1);
+  std::vector<int> index(mesh.vertex_count(), -1);
   for (FaceId f : mesh.faces())
     if (faces[f] == 0)
-      for (VertexId v : mesh.corners(f)) index[static_cast<std::size_t>(v.index)] = 0;
+      for (VertexId v : mesh.corners(f)) index[v.index] = 0;
   std::vector<VertexId> origin;
   for (VertexId v : mesh.vertices()) {
-    if (index[static_cast<std::size_t>(v.index)] < 0) continue;
-    index[static_cast<std::size_t>(v.index)] = static_cast<int>(origin.size());
+    if (index[v.index] < 0) continue;
+    index[v.index] = static_cast<int>(origin.size());
     origin.push_back(v);
     soup.points.push_back(mesh.position(v));
   }
   for (FaceId f : mesh.faces()) {
     if (faces[f] != 0) continue;
-    auto t = mesh.triangles()[static_cast<std::size_t>(f.index)];
-    for (int& corner : t) corner = index[static_cast<std::size_t>(corner)];
+    auto t = mesh.triangles()[f.index];
+    for (int& corner : t) corner = index[corner];
     soup.triangles.push_back(t);
   }
   if (soup.triangles.empty()) return std::nullopt;
@@ -148,15 +148,14 @@ Mesh with_disks(const Mesh& open, Fairness fairness) {
     std::vector<Vec3> points;
     for (VertexId v : loop) points.push_back(open.position(v));
     const auto joined = [&](int i, int j) {
-      const VertexId a = loop[static_cast<std::size_t>(i)], b = loop[static_cast<std::size_t>(j)];
+      const VertexId a = loop[i], b = loop[j];
       return open.find_halfedge(a, b).valid() || open.find_halfedge(b, a).valid();
     };
     const Disk disk = disk_of(points, joined);
     const int first = static_cast<int>(soup.points.size()), size = static_cast<int>(loop.size());
     soup.points.insert(soup.points.end(), disk.inner.begin(), disk.inner.end());
     for (std::array<int, 3> t : disk.triangles) {
-      for (int& corner : t)
-        corner = corner < size ? loop[static_cast<std::size_t>(corner)].index : first + corner - size;
+      for (int& corner : t) corner = corner < size ? loop[corner].index : first + corner - size;
       soup.triangles.push_back(t);
     }
   }

@@ -14,8 +14,6 @@ namespace {
 // Points of a dropped piece that are asked whether they lie inside.
 constexpr std::size_t most_samples = 7;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 struct Piece {
   std::vector<std::size_t> faces;
   BoundingBox box{Vec3::Zero(), Vec3::Zero()};
@@ -26,13 +24,12 @@ std::map<std::size_t, Piece> pieces_of(const TriangleSoup& soup) {
   const EdgeSides edges(soup.triangles);
   DisjointSets sets(soup.triangles.size());
   for (std::size_t e = 0; e < edges.edge_count(); ++e)
-    for (const Side& side : edges.sides(e))
-      sets.join(at(side.halfedge / 3), at(edges.sides(e)[0].halfedge / 3));
+    for (const Side& side : edges.sides(e)) sets.join(side.halfedge / 3, edges.sides(e)[0].halfedge / 3);
   std::map<std::size_t, Piece> pieces;
   for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
     Piece& piece = pieces[sets.root(f)];
     const auto& t = soup.triangles[f];
-    const std::array<Vec3, 3> corners{soup.points[at(t[0])], soup.points[at(t[1])], soup.points[at(t[2])]};
+    const std::array<Vec3, 3> corners{soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]};
     BoundingBox box = bounding_box(corners);
     if (!piece.faces.empty()) box = {box.low.cwiseMin(piece.box.low), box.high.cwiseMax(piece.box.high)};
     piece.box = box;
@@ -68,7 +65,7 @@ std::vector<DroppedPiece> keep_largest_piece(RawSurface& surface) {
 std::vector<char> wind_alike(RawSurface& surface) {
   auto& triangles = surface.soup.triangles;
   struct Neighbour {
-    std::size_t face;
+    int face;
     bool opposed;  // the two run along their edge in the same direction
     int edge_low, edge_high;
   };
@@ -78,8 +75,8 @@ std::vector<char> wind_alike(RawSurface& surface) {
     const auto sides = edges.sides(e);
     if (sides.size() != 2) continue;
     for (std::size_t k = 0; k < 2; ++k)
-      neighbours[at(sides[k].halfedge / 3)].push_back(
-          {at(sides[1 - k].halfedge / 3), sides[0].forward == sides[1].forward, sides[k].low, sides[k].high});
+      neighbours[sides[k].halfedge / 3].push_back(
+          {sides[1 - k].halfedge / 3, sides[0].forward == sides[1].forward, sides[k].low, sides[k].high});
   }
   std::vector<char> turned(triangles.size(), 0), reached(triangles.size(), 0);
   std::vector<std::size_t> stack{0};
@@ -97,7 +94,7 @@ std::vector<char> wind_alike(RawSurface& surface) {
         throw TopologyError(
             "its triangles cannot be wound alike: going round the surface one comes back on its other "
             "side, as on a Moebius band, near " +
-            shown((surface.soup.points[at(n.edge_low)] + surface.soup.points[at(n.edge_high)]) / 2) +
+            shown((surface.soup.points[n.edge_low] + surface.soup.points[n.edge_high]) / 2) +
             "; export the surface again");
       }
     }

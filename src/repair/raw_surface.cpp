@@ -14,8 +14,6 @@ namespace {
 // No scanner's frame reaches this far; exact predicates stay within the range of a double.
 constexpr double largest_coordinate_mm = 1e6;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 auto coordinates(const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); }
 
 std::array<int, 3> sorted(std::array<int, 3> t) {
@@ -39,7 +37,7 @@ RawSurface checked(const TriangleSoup& raw) {
   }
   for (std::size_t f = 0; f < raw.triangles.size(); ++f)
     for (int corner : raw.triangles[f])
-      if (corner < 0 || at(corner) >= raw.points.size())
+      if (corner < 0 || corner >= std::ssize(raw.points))
         throw InvalidInput("triangle " + std::to_string(f) + " uses vertex " + std::to_string(corner) +
                            ", but there are only " + std::to_string(raw.points.size()) +
                            " vertices; export the surface again");
@@ -53,7 +51,7 @@ std::vector<Vec3> drop_unused_vertices(RawSurface& surface) {
   TriangleSoup& soup = surface.soup;
   std::vector<int> index(soup.points.size(), -1);
   for (const auto& t : soup.triangles)
-    for (int corner : t) index[at(corner)] = 0;
+    for (int corner : t) index[corner] = 0;
   std::vector<Vec3> dropped;
   int kept = 0;
   for (std::size_t v = 0; v < soup.points.size(); ++v) {
@@ -62,14 +60,14 @@ std::vector<Vec3> drop_unused_vertices(RawSurface& surface) {
       continue;
     }
     index[v] = kept;
-    soup.points[at(kept)] = soup.points[v];
-    surface.origin[at(kept)] = surface.origin[v];
+    soup.points[kept] = soup.points[v];
+    surface.origin[kept] = surface.origin[v];
     ++kept;
   }
-  soup.points.resize(at(kept));
-  surface.origin.resize(at(kept));
+  soup.points.resize(kept);
+  surface.origin.resize(kept);
   for (auto& t : soup.triangles)
-    for (int& corner : t) corner = index[at(corner)];
+    for (int& corner : t) corner = index[corner];
   return dropped;
 }
 
@@ -78,21 +76,20 @@ std::vector<Vec3> join_duplicate_vertices(RawSurface& surface) {
   std::vector<int> order(soup.points.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) {
-    const auto p = coordinates(soup.points[at(a)]), q = coordinates(soup.points[at(b)]);
+    const auto p = coordinates(soup.points[a]), q = coordinates(soup.points[b]);
     return p != q ? p < q : a < b;
   });
   std::vector<int> first(soup.points.size());
   std::vector<Vec3> joined;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const int v = order[k];
-    const bool again = k > 0 && soup.points[at(v)] == soup.points[at(order[k - 1])];
-    first[at(v)] = again ? first[at(order[k - 1])] : v;
-    if (again) joined.push_back(soup.points[at(v)]);
+    const bool again = k > 0 && soup.points[v] == soup.points[order[k - 1]];
+    first[v] = again ? first[order[k - 1]] : v;
+    if (again) joined.push_back(soup.points[v]);
   }
   for (auto& t : soup.triangles)
-    for (int& corner : t) corner = first[at(corner)];
-  for (std::size_t v = 0; v < first.size(); ++v)
-    surface.joined[at(surface.origin[v])] = surface.origin[at(first[v])];
+    for (int& corner : t) corner = first[corner];
+  for (std::size_t v = 0; v < first.size(); ++v) surface.joined[surface.origin[v]] = surface.origin[first[v]];
   drop_unused_vertices(surface);
   return joined;
 }
@@ -132,7 +129,7 @@ std::vector<Vec3> drop_duplicate_triangles(RawSurface& surface) {
 }
 
 Vec3 centre(const TriangleSoup& soup, const std::array<int, 3>& triangle) {
-  return (soup.points[at(triangle[0])] + soup.points[at(triangle[1])] + soup.points[at(triangle[2])]) / 3;
+  return (soup.points[triangle[0]] + soup.points[triangle[1]] + soup.points[triangle[2]]) / 3;
 }
 
 }  // namespace foramen::repair_detail

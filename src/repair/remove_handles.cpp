@@ -34,7 +34,7 @@ std::optional<EditedMesh> closed_along(const Mesh& mesh, const EdgeLoop& loop) {
       EditedMesh closed{with_disks(open->mesh, fairness), open->origin};
       if (genus(closed.mesh) != genus(mesh) - 1) break;
       if (!new_faces_are_embedded(closed.mesh, open->mesh.face_count())) continue;
-      closed.origin.values().resize(static_cast<std::size_t>(closed.mesh.vertex_count()));
+      closed.origin.values().resize(closed.mesh.vertex_count());
       return closed;
     }
   }

@@ -6,12 +6,12 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/repair/part_sheets.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 #include "repair/disk.hpp"
 #include "repair/embedded.hpp"
 #include "repair/open_non_manifold.hpp"
+#include "repair/part_sheets.hpp"
 #include "repair/patching.hpp"
 #include "repair/pieces.hpp"
 #include "repair/words.hpp"
@@ -21,8 +21,6 @@ namespace foramen {
 namespace {
 
 using namespace repair_detail;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Whether most of the points lie inside a closed surface, by the normal of the closest triangle.
 bool is_inside(const TriangleTree& surface, const std::vector<Vec3>& points) {
@@ -88,12 +86,12 @@ class Repair {
     const TriangleSoup& soup = raw_.soup;
     Mesh mesh = build_mesh(soup);
     VertexMap<VertexId> origin(mesh.vertex_count());
-    for (VertexId v : mesh.vertices()) origin[v] = VertexId(raw_.origin[at(v.index)]);
+    for (VertexId v : mesh.vertices()) origin[v] = VertexId(raw_.origin[v.index]);
 
     const auto holes = borders(mesh);
     for (const Border& hole : holes) holes_.push_back(border_centre(mesh, hole));
     if (!holes.empty()) mesh = filled(mesh, holes);
-    origin.values().resize(at(mesh.vertex_count()));
+    origin.values().resize(mesh.vertex_count());
     const bool inward = signed_volume(mesh) < 0;
     if (inward) mesh = reversed(mesh);
     now_ = {mesh, std::move(origin)};
@@ -107,7 +105,7 @@ class Repair {
   Mesh filled(const Mesh& open, const std::vector<Border>& holes) const {
     for (const Border& hole : holes) {
       const double length = border_length(open, hole);
-      if (length > options_.hole_perimeter_mm || hole.size() > at(most_loop_points))
+      if (length > options_.hole_perimeter_mm || hole.size() > most_loop_points)
         throw InvalidInput(
             "it is open: a hole of " + shown_mm(length) + " round (" + std::to_string(hole.size()) +
             " edges) at " + shown(border_centre(open, hole)) + ", and holes of at most " +
@@ -211,7 +209,7 @@ class Repair {
       if (const VertexId raw = out.origin[v]; raw.valid() && !out.repaired[raw].valid())
         out.repaired[raw] = v;
     for (VertexId raw : out.repaired.ids())
-      out.repaired[raw] = out.repaired[VertexId(raw_.joined[at(raw.index)])];
+      out.repaired[raw] = out.repaired[VertexId(raw_.joined[raw.index])];
     return out;
   }
 

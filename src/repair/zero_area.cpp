@@ -17,8 +17,6 @@ constexpr double short_side = 0.01;
 // A triangle that is mended may leave another; a chain of them is taken apart link by link.
 constexpr int most_rounds = 30;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 double length(const Mesh& mesh, HalfedgeId h) {
   return (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
 }
@@ -52,17 +50,17 @@ class Round {
         soup_.triangles.end());
     std::vector<int> index(soup_.points.size(), -1);
     for (const auto& t : soup_.triangles)
-      for (int corner : t) index[at(corner)] = 0;
+      for (int corner : t) index[corner] = 0;
     std::vector<VertexId> origin;
     TriangleSoup kept;
     for (VertexId v : mesh_.vertices()) {
-      if (index[at(v.index)] < 0) continue;
-      index[at(v.index)] = static_cast<int>(origin.size());
+      if (index[v.index] < 0) continue;
+      index[v.index] = static_cast<int>(origin.size());
       origin.push_back(v);
       kept.points.push_back(mesh_.position(v));
     }
     for (auto t : soup_.triangles) {
-      for (int& corner : t) corner = index[at(corner)];
+      for (int& corner : t) corner = index[corner];
       kept.triangles.push_back(t);
     }
     return {build_mesh(std::move(kept)), VertexMap<VertexId>(std::move(origin))};
@@ -92,7 +90,7 @@ class Round {
     at_a.insert(at_a.end(), at_b.begin(), at_b.end());
     if (!take(at_a)) return false;
     const auto [kept, gone] = std::minmax(a, b);
-    for (HalfedgeId h : mesh_.fan(gone)) soup_.triangles[at(h.index / 3)][at(h.index % 3)] = kept.index;
+    for (HalfedgeId h : mesh_.fan(gone)) soup_.triangles[h.index / 3][h.index % 3] = kept.index;
     return true;
   }
 
@@ -104,8 +102,8 @@ class Round {
     const auto p = [&](VertexId v) { return mesh_.position(v); };
     if (!(area({p(c), p(d), p(b)}) > limit_) || !(area({p(d), p(c), p(a)}) > limit_)) return false;
     if (!take({a, b, c, d})) return false;
-    soup_.triangles[at(Mesh::face(side).index)] = {c.index, d.index, b.index};
-    soup_.triangles[at(Mesh::face(twin).index)] = {d.index, c.index, a.index};
+    soup_.triangles[Mesh::face(side).index] = {c.index, d.index, b.index};
+    soup_.triangles[Mesh::face(twin).index] = {d.index, c.index, a.index};
     return true;
   }
 
@@ -122,10 +120,10 @@ std::optional<EditedMesh> replaced(const Mesh& mesh, FaceId f) {
   const auto open = without_faces(mesh, grown(mesh, faces));
   if (!open) return std::nullopt;
   const auto holes = borders(open->mesh);
-  if (holes.size() != 1 || holes[0].size() > at(most_loop_points)) return std::nullopt;
+  if (holes.size() != 1 || holes[0].size() > most_loop_points) return std::nullopt;
   EditedMesh closed{with_disks(open->mesh, Fairness::membrane), open->origin};
   if (closed.mesh.euler_characteristic() != mesh.euler_characteristic()) return std::nullopt;
-  closed.origin.values().resize(at(closed.mesh.vertex_count()));
+  closed.origin.values().resize(closed.mesh.vertex_count());
   return closed;
 }
 

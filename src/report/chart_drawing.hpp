@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
-#include "foramen/report/svg_chart.hpp"
+#include "report/svg_chart.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,4 @@
-#include "foramen/report/encoded_array.hpp"
+#include "report/encoded_array.hpp"
 
 #include <bit>
 #include <concepts>

@@ -1,4 +1,4 @@
-#include "foramen/report/interactive_page.hpp"
+#include "report/interactive_page.hpp"
 
 #include "foramen/core/error.hpp"
 #include "report/viewer_template.hpp"

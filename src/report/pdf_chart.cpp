@@ -1,4 +1,4 @@
-#include "foramen/report/pdf_chart.hpp"
+#include "report/pdf_chart.hpp"
 
 #include <cstdio>
 
@@ -39,8 +39,7 @@ double text_width(const std::string& letters) {
   int sum = 0;
   for (char letter : letters) {
     const int index = static_cast<unsigned char>(letter) - ' ';
-    sum += index < static_cast<int>(letter_widths.size()) ? letter_widths[static_cast<std::size_t>(index)]
-                                                          : other_width;
+    sum += index < static_cast<int>(letter_widths.size()) ? letter_widths[index] : other_width;
   }
   return sum * font_size / 1000;
 }

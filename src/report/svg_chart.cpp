@@ -1,4 +1,4 @@
-#include "foramen/report/svg_chart.hpp"
+#include "report/svg_chart.hpp"
 
 #include <cstdio>
 

@@ -52,17 +52,15 @@ VertexMap<CurvatureMeasure> curvature_measures(const Mesh& mesh) {
 /// Each value half-way to the mean of its neighbours', `rounds` times.
 template <class Value, class Mean>
 void smooth(const Mesh& mesh, VertexMap<Value>& values, int rounds, const Mean& blend) {
-  std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(mesh.vertex_count()));
+  std::vector<std::vector<int>> neighbours(mesh.vertex_count());
   for (HalfedgeId h : mesh.halfedges()) {
-    neighbours[static_cast<std::size_t>(mesh.from(h).index)].push_back(mesh.to(h).index);
-    if (!mesh.twin(h).valid())
-      neighbours[static_cast<std::size_t>(mesh.to(h).index)].push_back(mesh.from(h).index);
+    neighbours[mesh.from(h).index].push_back(mesh.to(h).index);
+    if (!mesh.twin(h).valid()) neighbours[mesh.to(h).index].push_back(mesh.from(h).index);
   }
   VertexMap<Value> old = values;
   for (int round = 0; round < rounds; ++round) {
     std::swap(old, values);
-    for (VertexId v : mesh.vertices())
-      values[v] = blend(old, v, neighbours[static_cast<std::size_t>(v.index)]);
+    for (VertexId v : mesh.vertices()) values[v] = blend(old, v, neighbours[v.index]);
   }
 }
 
@@ -104,7 +102,7 @@ double curvature(const CurvatureMeasure& measure) {
 double quantile(std::vector<double> values, double share) {
   const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + k, values.end());
-  return values[static_cast<std::size_t>(k)];
+  return values[k];
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ int delaunay_flips(LandmarkState& s, const RunContext& ctx) {
   ctx.check();
   const int slots = s.mesh.halfedge_slots();
   std::deque<int> queue;
-  std::vector<char> waiting(static_cast<std::size_t>(slots), 0);
+  std::vector<char> waiting(slots, 0);
   const auto push = [&](int h) {
     const int edge = std::min(h, s.mesh.twin(h));
     if (waiting[edge]) return;

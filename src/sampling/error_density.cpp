@@ -24,12 +24,10 @@ class GridNeighbours {
     std::vector<double> out(values.size());
     for (int r = 0; r < rows_; ++r)
       for (int c = 0; c < columns_; ++c) {
-        const std::array<double, 5> ring{values[static_cast<std::size_t>(index(r, c))],
-                                         values[static_cast<std::size_t>(index(r + 1, c))],
-                                         values[static_cast<std::size_t>(index(r + rows_ - 1, c))],
-                                         values[static_cast<std::size_t>(index(r, c + 1))],
-                                         values[static_cast<std::size_t>(index(r, c + columns_ - 1))]};
-        out[static_cast<std::size_t>(index(r, c))] = combine(ring);
+        const std::array<double, 5> ring{values[index(r, c)], values[index(r + 1, c)],
+                                         values[index(r + rows_ - 1, c)], values[index(r, c + 1)],
+                                         values[index(r, c + columns_ - 1)]};
+        out[index(r, c)] = combine(ring);
       }
     return out;
   }
@@ -45,7 +43,7 @@ std::vector<double> errors_on_grid(const RepresentedShape& shape, const GridNeig
   const TriangleTree sampled(build_mesh({shape.landmarks, triangles}));
   std::vector<double> errors(points, 0.0);
   for (VertexId v : shape.input->vertices()) {
-    double& error = errors[static_cast<std::size_t>(grid.nearest((*shape.turns)[v]))];
+    double& error = errors[grid.nearest((*shape.turns)[v])];
     error = std::max(error, std::sqrt(sampled.closest(shape.input->position(v)).squared_distance));
   }
   return errors;
@@ -60,12 +58,10 @@ VertexMap<double> raised_by_error(const VertexMap<double>& density, const TorusG
   FORAMEN_ASSERT(density.size() == grid.rows * grid.columns);
   check_options("raised_by_error", options);
   const GridNeighbours neighbours(grid);
-  const auto points = static_cast<std::size_t>(density.size());
+  const std::size_t points = density.size();
   std::vector<std::vector<double>> each(shapes.size());
-  parallel_for(static_cast<int>(shapes.size()), ctx, [&](int i) {
-    each[static_cast<std::size_t>(i)] =
-        errors_on_grid(shapes[static_cast<std::size_t>(i)], neighbours, points, triangles);
-  });
+  parallel_for(static_cast<int>(shapes.size()), ctx,
+               [&](int i) { each[i] = errors_on_grid(shapes[i], neighbours, points, triangles); });
   std::vector<double> factor(points, 0.0);
   for (const auto& errors : each)
     for (std::size_t k = 0; k < points; ++k) factor[k] = std::max(factor[k], errors[k]);

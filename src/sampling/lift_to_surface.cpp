@@ -65,12 +65,12 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
       throw InvalidInput("torus map: vertex " + std::to_string(v.index) +
                          " is not within 4096 turns of zero");
 
-  places_.reserve(static_cast<std::size_t>(mesh.vertex_count()));
+  places_.reserve(mesh.vertex_count());
   for (VertexId v : mesh.vertices()) {
     const Fixed2 p = detail::to_fixed(map.turns[v]);
     places_.push_back({p.x, p.y});
   }
-  turns_.resize(static_cast<std::size_t>(mesh.face_count()));
+  turns_.resize(mesh.face_count());
   std::vector<Entry> entries;
   entries.reserve(turns_.size() + turns_.size() / 8);
   Int128 doubled_area = 0;
@@ -81,7 +81,7 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
     Vec2i jump = Vec2i::Zero();
     for (int k = 0; k < 3; ++k) {
       to_corner[k] = jump;
-      p[k] = fixed(places_[static_cast<std::size_t>(c[k].index)]) + detail::whole_turns(jump);
+      p[k] = fixed(places_[c[k].index]) + detail::whole_turns(jump);
       jump += map.jumps[Mesh::halfedge(f, k)];
     }
     const Int128 doubled = detail::orientation(p[0], p[1], p[2]);
@@ -95,8 +95,7 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
     const Vec2i floor = detail::floor_turns(low);
     for (int k = 0; k < 3; ++k) {
       const Vec2i turns = to_corner[k] - floor;
-      turns_[static_cast<std::size_t>(f.index)][static_cast<std::size_t>(k)] = {
-          static_cast<std::int16_t>(turns.x()), static_cast<std::int16_t>(turns.y())};
+      turns_[f.index][k] = {static_cast<std::int16_t>(turns.x()), static_cast<std::int16_t>(turns.y())};
     }
     const Fixed2 high = Fixed2{std::max({p[0].x, p[1].x, p[2].x}), std::max({p[0].y, p[1].y, p[2].y})} -
                         detail::whole_turns(floor);
@@ -117,11 +116,11 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
 }
 
 std::array<TorusLocator::Place, 3> TorusLocator::corners(int face) const {
-  const auto& vertices = mesh_.triangles()[static_cast<std::size_t>(face)];
-  const auto& turns = turns_[static_cast<std::size_t>(face)];
+  const auto& vertices = mesh_.triangles()[face];
+  const auto& turns = turns_[face];
   std::array<Place, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Place& p = places_[static_cast<std::size_t>(vertices[k])];
+    const Place& p = places_[vertices[k]];
     corners[k] = {p.x + turns[k][0] * fixed_turn, p.y + turns[k][1] * fixed_turn};
   }
   return corners;
@@ -147,7 +146,7 @@ int TorusLocator::build_grid(const std::vector<Entry>& entries, Place corner, in
       for (int x = cell_of(std::min({p[0].x, p[1].x, p[2].x})); x <= last_x; ++x)
         if (touches_square(p, {std::int64_t{x} << shift, std::int64_t{y} << shift},
                            std::int64_t{1} << shift)) {
-          cells[static_cast<std::size_t>(y * side + x)].push_back(e);
+          cells[y * side + x].push_back(e);
           ++stored;
         }
   }
@@ -160,12 +159,12 @@ int TorusLocator::build_grid(const std::vector<Entry>& entries, Place corner, in
   grids_.push_back({shift, bits, first_cell});
   cells_.resize(cells_.size() + cell_count);
   for (int i = 0; i < static_cast<int>(cell_count); ++i) {
-    const auto& own = cells[static_cast<std::size_t>(i)];
+    const auto& own = cells[i];
     const Place own_corner{corner.x + (std::int64_t{i % side} << shift),
                            corner.y + (std::int64_t{i / side} << shift)};
     const bool divide = own.size() > crowded && shift > 0 && depth < deepest;
     const int finer = divide ? build_grid(own, own_corner, shift, depth + 1) : -1;
-    Cell& cell = cells_[static_cast<std::size_t>(first_cell + i)];
+    Cell& cell = cells_[first_cell + i];
     cell.grid = finer;
     if (finer >= 0) continue;
     cell.first = static_cast<int>(entries_.size());
@@ -183,13 +182,13 @@ SurfacePoint TorusLocator::locate(const Vec2& turns) const {
 
   const Cell* cell = nullptr;
   for (int g = 0; g >= 0; g = cell->grid) {
-    const Grid& grid = grids_[static_cast<std::size_t>(g)];
+    const Grid& grid = grids_[g];
     const std::int64_t mask = (std::int64_t{1} << grid.bits) - 1;
     const auto x = (q.x >> grid.shift) & mask, y = (q.y >> grid.shift) & mask;
-    cell = &cells_[static_cast<std::size_t>(grid.first_cell + (y << grid.bits) + x)];
+    cell = &cells_[grid.first_cell + (y << grid.bits) + x];
   }
   for (int i = cell->first; i < cell->last; ++i) {
-    const Entry& entry = entries_[static_cast<std::size_t>(i)];
+    const Entry& entry = entries_[i];
     const std::array<Place, 3> t = corners(entry.face);
     const Fixed2 p = q + Fixed2{entry.x * fixed_turn, entry.y * fixed_turn};
     const Fixed2 a = fixed(t[0]), b = fixed(t[1]), c = fixed(t[2]);

@@ -28,7 +28,7 @@ LiftedLandmarks::LiftedLandmarks(std::span<const LandmarkShape> shapes, const To
       surfaces_(shapes.size()) {
   for (const LandmarkShape& s : shapes_) FORAMEN_ASSERT(s.locator && s.tree);
   parallel_for(this->shapes(), ctx, [&](int s) {
-    points_[s].reserve(static_cast<std::size_t>(mesh.vertex_slots()));
+    points_[s].reserve(mesh.vertex_slots());
     for (int v = 0; v < mesh.vertex_slots(); ++v) points_[s].push_back(lift(s, mesh.place(v)));
   });
   measure_edges(mesh);

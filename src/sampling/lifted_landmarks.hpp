@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "foramen/sampling/refine_landmarks.hpp"
-#include "foramen/spatial/triangles_meet.hpp"
+#include "sampling/refine_landmarks.hpp"
 #include "sampling/torus_triangulation.hpp"
+#include "spatial/triangles_meet.hpp"
 
 namespace foramen::detail {
 

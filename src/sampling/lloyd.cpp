@@ -158,7 +158,7 @@ void lloyd_round(LandmarkState& s, const DenseSurface& surface, const RunContext
         if (s.mesh.alive(v)) body(v, ring);
     });
   };
-  std::vector<Move> moves(static_cast<std::size_t>(slots));
+  std::vector<Move> moves(slots);
   for_each_landmark([&](int v, Unfolded& ring) {
     unfold(s, v, ring);
     moves[v] = to_torus(s, ring, over_relaxation * cell_centroid(ring));

@@ -1,12 +1,12 @@
-#include "foramen/sampling/refine_landmarks.hpp"
+#include "sampling/refine_landmarks.hpp"
 
 #include <algorithm>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/spatial/flips.hpp"
-#include "foramen/spatial/self_intersections.hpp"
 #include "sampling/landmark_repairs.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen {
 namespace {
@@ -72,7 +72,7 @@ class Refinement {
     parallel_for(static_cast<int>(faces.size()), ctx_, [&](int i) {
       repairs[i] = detail::best_repair(mesh_, lifted_, guilt_, faces[i], insertion);
     });
-    std::vector<char> touched(static_cast<std::size_t>(mesh_.vertex_slots()), 0);
+    std::vector<char> touched(mesh_.vertex_slots(), 0);
     std::vector<int> changed_faces;
     int changes = 0;
     for (const Repair& r : repairs) {
@@ -118,7 +118,7 @@ class Refinement {
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     parallel_for(lifted_.shapes(), ctx_, [&](int s) {
-      guilt_[s].resize(static_cast<std::size_t>(mesh_.face_slots()));
+      guilt_[s].resize(mesh_.face_slots());
       for (int f : faces) {
         const auto [a, b, c] = mesh_.corners(f);
         const bool flipped =

@@ -50,16 +50,16 @@ Collapse CollapsibleMesh::collapse(HalfedgeId h) {
                   .dropped_faces = {Mesh::face(h), Mesh::face(back)},
                   .dropped_corners = {},
                   .moved_faces = {}};
-  record.moved_faces.reserve(static_cast<std::size_t>(valence(removed) - 2));
+  record.moved_faces.reserve(valence(removed) - 2);
   for (HalfedgeId k = rotated(h); Mesh::face(k) != record.dropped_faces[1]; k = rotated(k))
     record.moved_faces.push_back(Mesh::face(k));
   for (std::size_t i = 0; i < 2; ++i) {
-    auto& dropped = triangles_[static_cast<std::size_t>(record.dropped_faces[i].index)];
+    auto& dropped = triangles_[record.dropped_faces[i].index];
     for (std::size_t k = 0; k < 3; ++k) record.dropped_corners[i][k] = VertexId(dropped[k]);
   }
 
   for (FaceId f : record.moved_faces)
-    for (int& corner : triangles_[static_cast<std::size_t>(f.index)])
+    for (int& corner : triangles_[f.index])
       if (corner == removed.index) corner = kept.index;
 
   // The two edges of a dropped face become one; what lies beyond them survives and starts at the three
@@ -77,7 +77,7 @@ Collapse CollapsibleMesh::collapse(HalfedgeId h) {
   --valence_[left];
   --valence_[right];
   --vertex_count_;
-  for (FaceId f : record.dropped_faces) triangles_[static_cast<std::size_t>(f.index)] = {-1, -1, -1};
+  for (FaceId f : record.dropped_faces) triangles_[f.index] = {-1, -1, -1};
   return record;
 }
 

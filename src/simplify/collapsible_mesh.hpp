@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
-#include "foramen/simplify/working_mesh.hpp"
+#include "simplify/working_mesh.hpp"
 
 namespace foramen {
 
@@ -19,12 +19,10 @@ class CollapsibleMesh {
 
   int vertex_count() const { return vertex_count_; }
   bool alive(VertexId v) const { return outgoing_[v].valid(); }
-  bool alive(FaceId f) const { return triangles_[static_cast<std::size_t>(f.index)][0] >= 0; }
-  const std::array<int, 3>& corners(FaceId f) const { return triangles_[static_cast<std::size_t>(f.index)]; }
+  bool alive(FaceId f) const { return triangles_[f.index][0] >= 0; }
+  const std::array<int, 3>& corners(FaceId f) const { return triangles_[f.index]; }
   int valence(VertexId v) const { return valence_[v]; }
-  VertexId from(HalfedgeId h) const {
-    return VertexId(triangles_[static_cast<std::size_t>(h.index / 3)][static_cast<std::size_t>(h.index % 3)]);
-  }
+  VertexId from(HalfedgeId h) const { return VertexId(triangles_[h.index / 3][h.index % 3]); }
   VertexId to(HalfedgeId h) const { return from(Mesh::next(h)); }
   VertexId apex(HalfedgeId h) const { return from(Mesh::prev(h)); }
   HalfedgeId twin(HalfedgeId h) const { return twin_[h]; }

@@ -1,4 +1,4 @@
-#include "foramen/simplify/working_mesh.hpp"
+#include "simplify/working_mesh.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -66,7 +66,7 @@ class Simplifier {
   const CollapsibleMesh& mesh() const { return mesh_; }
 
  private:
-  const Vec3& point(VertexId v) const { return points_[static_cast<std::size_t>(v.index)]; }
+  const Vec3& point(VertexId v) const { return points_[v.index]; }
   Form form(FaceId f) const;
   void enqueue(VertexId v);
   std::optional<Candidate> best_candidate(VertexId v);
@@ -194,7 +194,7 @@ void Simplifier::update_after(const Collapse& done) {
 
 std::vector<Collapse> Simplifier::run(int target_vertices, const RunContext& ctx) {
   std::vector<Collapse> collapses;
-  collapses.reserve(static_cast<std::size_t>(mesh_.vertex_count() - target_vertices));
+  collapses.reserve(mesh_.vertex_count() - target_vertices);
   while (mesh_.vertex_count() > target_vertices && !queue_.empty()) {
     const QueueEntry top = queue_.top();
     queue_.pop();

@@ -56,7 +56,7 @@ std::vector<char> opposing_surroundings(const Mesh& mesh) {
   for (FaceId f : mesh.faces())
     for (VertexId v : mesh.corners(f)) around[v] += area_vector(mesh.triangle(f));
   std::vector<char> opposing;
-  opposing.reserve(static_cast<std::size_t>(mesh.face_count()));
+  opposing.reserve(mesh.face_count());
   for (FaceId f : mesh.faces()) {
     const Vec3 own = area_vector(mesh.triangle(f));
     Vec3 others = -3 * own;

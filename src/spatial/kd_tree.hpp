@@ -89,7 +89,7 @@ class KdTree {
   }
   std::vector<NearPoint> nearest(const Point& query, int count) const {
     const std::size_t available = cloud_.points.size();
-    Neighbours result(std::min(available, static_cast<std::size_t>(std::max(count, 0))));
+    Neighbours result(std::min<std::size_t>(available, std::max(count, 0)));
     if (count > 0) tree_.findNeighbors(result, query.data(), {});
     return result.take();
   }

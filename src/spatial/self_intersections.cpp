@@ -1,10 +1,10 @@
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
 #include "foramen/core/error.hpp"
-#include "foramen/spatial/triangles_meet.hpp"
+#include "spatial/triangles_meet.hpp"
 
 namespace foramen {
 

@@ -51,14 +51,14 @@ std::vector<SurfacePoint> sample_surface(const Mesh& mesh, int count, const Rng&
   if (count < 0)
     throw InvalidInput("sample_surface: " + std::to_string(count) + " points asked for; give 0 or more");
   std::vector<double> area_up_to;
-  area_up_to.reserve(static_cast<std::size_t>(mesh.face_count()));
+  area_up_to.reserve(mesh.face_count());
   double total = 0;
   for (FaceId f : mesh.faces()) area_up_to.push_back(total += area(mesh.triangle(f)));
   if (!(total > 0))
     throw InvalidInput("sample_surface: the surface has no area; its points may all coincide");
   Rng draws = rng;
   std::vector<SurfacePoint> points;
-  points.reserve(static_cast<std::size_t>(count));
+  points.reserve(count);
   std::size_t face = 0;
   for (int i = 0; i < count; ++i) {
     const double target = total * ((i + draws.uniform()) / count);

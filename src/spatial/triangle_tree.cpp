@@ -118,7 +118,7 @@ void TriangleTree::traverse(const Query& query, const double& bound, const Prune
       limit = as_limit(bound);
       continue;
     }
-    const auto index = static_cast<std::size_t>(entry.child);
+    const std::size_t index = entry.child;
     const Node& node = nodes_[index];
     Floats distances = query.squared_distances(node);
     prune(index, distances);
@@ -204,7 +204,7 @@ struct TriangleTree::Overlaps {
   const std::function<void(FaceId, FaceId)>& visit;
   std::vector<BoundingBox> boxes;  // of the triangles, in the order of the leaves
 
-  const Node& node(int child) const { return tree.nodes_[static_cast<std::size_t>(child)]; }
+  const Node& node(int child) const { return tree.nodes_[child]; }
   static bool meet(const BoundingBox& a, const BoundingBox& b) {
     return (a.low.array() <= b.high.array()).all() && (b.low.array() <= a.high.array()).all();
   }
@@ -217,7 +217,7 @@ struct TriangleTree::Overlaps {
 
   void within(int child) const {
     if (child < 0) {
-      const auto first = static_cast<std::size_t>(detail::leaf_first(child));
+      const std::size_t first = detail::leaf_first(child);
       const auto end = first + static_cast<std::size_t>(detail::leaf_count(child));
       for (std::size_t a = first; a < end; ++a)
         for (std::size_t b = a + 1; b < end; ++b) compare(a, b);
@@ -255,7 +255,7 @@ struct TriangleTree::Overlaps {
   }
 
   BoundingBox leaf_box(int leaf) const {
-    const auto first = static_cast<std::size_t>(detail::leaf_first(leaf));
+    const std::size_t first = detail::leaf_first(leaf);
     BoundingBox box = boxes[first];
     for (std::size_t i = first + 1; i < first + static_cast<std::size_t>(detail::leaf_count(leaf)); ++i) {
       box.low = box.low.cwiseMin(boxes[i].low);

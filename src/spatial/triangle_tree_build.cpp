@@ -62,9 +62,9 @@ struct TriangleTree::Builder {
 
   explicit Builder(TriangleTree& target) : tree(target) {
     const int faces = tree.mesh_.face_count();
-    boxes.reserve(static_cast<std::size_t>(faces));
-    centres.reserve(static_cast<std::size_t>(faces));
-    tree.order_.reserve(static_cast<std::size_t>(faces));
+    boxes.reserve(faces);
+    centres.reserve(faces);
+    tree.order_.reserve(faces);
     for (FaceId f : tree.mesh_.faces()) {
       boxes.push_back(box_of(tree.mesh_.triangle(f)));
       centres.push_back(0.5 * (boxes.back().low + boxes.back().high));
@@ -74,8 +74,8 @@ struct TriangleTree::Builder {
   }
 
   int* at(int position) { return tree.order_.data() + position; }
-  const Vec3& centre(int position) { return centres[static_cast<std::size_t>(*at(position))]; }
-  const Box& box(int position) { return boxes[static_cast<std::size_t>(*at(position))]; }
+  const Vec3& centre(int position) { return centres[*at(position)]; }
+  const Box& box(int position) { return boxes[*at(position)]; }
 
   int build(const Range& range) {
     const int index = static_cast<int>(tree.nodes_.size());
@@ -96,7 +96,7 @@ struct TriangleTree::Builder {
       child[k] = children[k].count <= detail::leaf_size
                      ? detail::encode_leaf(children[k].first, children[k].count)
                      : build(children[k]);
-    tree.nodes_[static_cast<std::size_t>(index)].child = child;
+    tree.nodes_[index].child = child;
     return index;
   }
 
@@ -110,7 +110,7 @@ struct TriangleTree::Builder {
       return halve(range, axis);
     const double scale = bin_count / width;
     const auto bin_of = [&](int face) {
-      const double offset = centres[static_cast<std::size_t>(face)][axis] - spread.low[axis];
+      const double offset = centres[face][axis] - spread.low[axis];
       return std::min(bin_count - 1, static_cast<int>(offset * scale));
     };
     const int cut = best_cut(range, bin_of);
@@ -127,7 +127,7 @@ struct TriangleTree::Builder {
     std::array<Box, bin_count> bins;
     std::array<int, bin_count> counts{};
     for (int i = range.first; i < range.first + range.count; ++i) {
-      const auto b = static_cast<std::size_t>(bin_of(*at(i)));
+      const std::size_t b = bin_of(*at(i));
       bins[b].add(box(i));
       ++counts[b];
     }
@@ -156,8 +156,8 @@ struct TriangleTree::Builder {
     const int half = range.count / 2;
     std::nth_element(at(range.first), at(range.first + half), at(range.first) + range.count,
                      [&](int a, int b) {
-                       const double x = centres[static_cast<std::size_t>(a)][axis];
-                       const double y = centres[static_cast<std::size_t>(b)][axis];
+                       const double x = centres[a][axis];
+                       const double y = centres[b][axis];
                        return x < y || (x == y && a < b);
                      });
     return range.first + half;
@@ -188,7 +188,7 @@ void TriangleTree::refresh() {
   normal_nodes_.resize(with_normals ? nodes_.size() : 0);
   sliver_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    corners_[i] = mesh_.triangles()[static_cast<std::size_t>(order_[i])];
+    corners_[i] = mesh_.triangles()[order_[i]];
     const auto t = triangle(i);
     if (with_normals) normals_[i] = unit_normal(t);
     sliver_[i] = detail::is_sliver(t);
@@ -207,12 +207,12 @@ void TriangleTree::refresh() {
       Box points, normals;
       const int child = node.child[k];
       if (child >= 0) {
-        std::tie(points, normals) = below[static_cast<std::size_t>(child)];
+        std::tie(points, normals) = below[child];
       } else {
         for (int i = detail::leaf_first(child); i < detail::leaf_first(child) + detail::leaf_count(child);
              ++i) {
           points.add(box_of(triangle(static_cast<std::size_t>(i))));
-          if (with_normals) normals.add(normals_[static_cast<std::size_t>(i)]);
+          if (with_normals) normals.add(normals_[i]);
         }
       }
       below[n].first.add(points);

@@ -1,4 +1,4 @@
-#include "foramen/spatial/triangles_meet.hpp"
+#include "spatial/triangles_meet.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -135,7 +135,7 @@ SharedCorners shared_corners(const std::array<VertexId, 3>& a, const std::array<
   SharedCorners shared;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      if (a[static_cast<std::size_t>(i)] == b[static_cast<std::size_t>(j)]) {
+      if (a[i] == b[j]) {
         ++shared.count;
         shared.in_a += i;
         shared.in_b += j;
@@ -144,7 +144,7 @@ SharedCorners shared_corners(const std::array<VertexId, 3>& a, const std::array<
 }
 
 Triangle3 beginning_at(int corner, const Triangle3& t) {
-  const auto c = static_cast<std::size_t>(corner);
+  const std::size_t c = corner;
   return {t[c], t[(c + 1) % 3], t[(c + 2) % 3]};
 }
 
@@ -162,7 +162,7 @@ bool triangles_meet(const NumberedTriangle& a, const NumberedTriangle& b) {
       return meet_beyond_vertex(beginning_at(shared.in_a, a.points), beginning_at(shared.in_b, b.points));
     case 2:
       return fold_onto_each_other(beginning_at(all_corners - shared.in_a, a.points),
-                                  b.points[static_cast<std::size_t>(all_corners - shared.in_b)]);
+                                  b.points[all_corners - shared.in_b]);
     default:
       return true;
   }

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "foramen/core/freed_memory.hpp"
+#include "core/freed_memory.hpp"
 
 namespace foramen {
 namespace {

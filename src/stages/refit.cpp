@@ -38,7 +38,7 @@ class Refit {
         ctx_(ctx),
         groups_(left_out_together(static_cast<int>(shapes.size()), subjects, measure.leave_out)) {
     for (const auto& group : groups_) {
-      const auto first = static_cast<std::size_t>(group.front());
+      const std::size_t first = group.front();
       group_names_.push_back(measure.leave_out == LeaveOut::shape ? name(group.front()) : subjects[first]);
     }
   }
@@ -61,7 +61,7 @@ class Refit {
   }
 
  private:
-  const std::string& name(int shape) const { return shapes_[static_cast<std::size_t>(shape)].name; }
+  const std::string& name(int shape) const { return shapes_[shape].name; }
 
   RefittedGroup leave_out(std::size_t g, const RunContext& ctx) const {
     const std::vector<int>& group = groups_[g];
@@ -74,7 +74,7 @@ class Refit {
         result.failures.push_back({other.name, group_names_[g], other.reason});
       const RunContext single = ctx.with_threads(1);
       parallel_for(static_cast<int>(group.size()), ctx, [&](int i) {
-        const auto k = static_cast<std::size_t>(i);
+        const std::size_t k = i;
         try {
           result.landmarks[k] = landmarks_on_newcomer(surface(group[k]), without.registration,
                                                       without.landmarks, options_.correspondence, single);
@@ -95,7 +95,7 @@ class Refit {
     return result;
   }
 
-  const Mesh& surface(int shape) const { return shapes_[static_cast<std::size_t>(shape)].mesh; }
+  const Mesh& surface(int shape) const { return shapes_[shape].mesh; }
 
   /// One shape that was left out, and the model that has not seen it.
   struct Entered {
@@ -128,9 +128,8 @@ class Refit {
     const std::vector<int> counts = mode_counts(static_cast<int>(fewest_shapes) - 1);
     std::vector<std::vector<ShapeError>> errors(shapes.size());
     parallel_for(static_cast<int>(shapes.size()), ctx_, [&](int k) {
-      const Entered& one = shapes[static_cast<std::size_t>(k)];
-      errors[static_cast<std::size_t>(k)] =
-          unseen_errors(*one.landmarks, surface(one.shape), *one.model, counts, measure_);
+      const Entered& one = shapes[k];
+      errors[k] = unseen_errors(*one.landmarks, surface(one.shape), *one.model, counts, measure_);
     });
     result_.generalization = {measure_.leave_out, models, over_shapes(errors, counts)};
   }
@@ -153,7 +152,7 @@ BuiltModel build_without(std::span<const Shape> shapes, const std::vector<int>& 
   BuildOptions others_options = options;
   std::string& reference = others_options.correspondence.reference;
   for (int i = 0; i < static_cast<int>(shapes.size()); ++i) {
-    const Shape& shape = shapes[static_cast<std::size_t>(i)];
+    const Shape& shape = shapes[i];
     if (!contains(left_out, i))
       others.push_back(shape);
     else if (shape.name == reference)

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/io/sha256.hpp"
+#include "io/atomic_file.hpp"
+#include "io/sha256.hpp"
 
 namespace foramen {
 namespace {

@@ -20,8 +20,6 @@ constexpr double least_facing_cosine =
 constexpr double smoothing_step = 0.6;
 constexpr int least_valence = 4;  // what a collapse or flip must leave
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
   const Vec3 u = a - apex, v = b - apex;
   const double sine = u.cross(v).norm();
@@ -65,13 +63,13 @@ ImplicitRemesher::ImplicitRemesher(const ImplicitFunction& function, TriangleSou
     normals_.push_back(on.normal);
   }
   for (std::size_t f = 0; f < faces_.size(); ++f)
-    for (int v : faces_[f]) star_[at(v)].push_back(static_cast<int>(f));
+    for (int v : faces_[f]) star_[v].push_back(static_cast<int>(f));
 }
 
 double ImplicitRemesher::area() const {
   double sum = 0;
   for (const Triangle& t : faces_)
-    if (t[0] >= 0) sum += foramen::area({points_[at(t[0])], points_[at(t[1])], points_[at(t[2])]});
+    if (t[0] >= 0) sum += foramen::area({points_[t[0]], points_[t[1]], points_[t[2]]});
   return sum;
 }
 
@@ -91,11 +89,11 @@ TriangleSoup ImplicitRemesher::soup() const {
       out.points.push_back(points_[v]);
     }
   for (const Triangle& t : faces_)
-    if (t[0] >= 0) out.triangles.push_back({index[at(t[0])], index[at(t[1])], index[at(t[2])]});
+    if (t[0] >= 0) out.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
   return out;
 }
 
-double ImplicitRemesher::length(int a, int b) const { return (points_[at(a)] - points_[at(b)]).norm(); }
+double ImplicitRemesher::length(int a, int b) const { return (points_[a] - points_[b]).norm(); }
 
 std::vector<ImplicitRemesher::Edge> ImplicitRemesher::edges(double shortest, double longest) const {
   std::vector<Edge> all;
@@ -112,14 +110,14 @@ std::vector<ImplicitRemesher::Edge> ImplicitRemesher::edges(double shortest, dou
 }
 
 bool ImplicitRemesher::adjacent(int a, int b) const {
-  return std::ranges::any_of(
-      star_[at(a)], [&](int f) { return std::ranges::find(faces_[at(f)], b) != faces_[at(f)].end(); });
+  return std::ranges::any_of(star_[a],
+                             [&](int f) { return std::ranges::find(faces_[f], b) != faces_[f].end(); });
 }
 
 std::vector<int> ImplicitRemesher::neighbours(int v) const {
   std::vector<int> ring;
-  for (int f : star_[at(v)])
-    for (int w : faces_[at(f)])
+  for (int f : star_[v])
+    for (int w : faces_[f])
       if (w != v) ring.push_back(w);
   std::sort(ring.begin(), ring.end());
   ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
@@ -128,8 +126,8 @@ std::vector<int> ImplicitRemesher::neighbours(int v) const {
 
 ImplicitRemesher::EdgeFaces ImplicitRemesher::edge_faces(int a, int b) const {
   EdgeFaces found;
-  for (int f : star_[at(a)]) {
-    const Triangle& t = faces_[at(f)];
+  for (int f : star_[a]) {
+    const Triangle& t = faces_[f];
     for (std::size_t k = 0; k < 3; ++k) {
       const int p = t[k], q = t[(k + 1) % 3], apex = t[(k + 2) % 3];
       if (p == a && q == b) found.left = f, found.above = apex;
@@ -140,16 +138,16 @@ ImplicitRemesher::EdgeFaces ImplicitRemesher::edge_faces(int a, int b) const {
 }
 
 bool ImplicitRemesher::may_move(int v, const Projected& to, std::array<int, 2> except) const {
-  for (int f : star_[at(v)]) {
+  for (int f : star_[v]) {
     if (f == except[0] || f == except[1]) continue;
     std::array<Vec3, 3> before, after;
     Vec3 direction_before = Vec3::Zero(), direction_after = Vec3::Zero();
     for (std::size_t k = 0; k < 3; ++k) {
-      const int w = faces_[at(f)][k];
-      before[k] = points_[at(w)];
+      const int w = faces_[f][k];
+      before[k] = points_[w];
       after[k] = w == v ? to.point : before[k];
-      direction_before += normals_[at(w)];
-      direction_after += w == v ? to.normal : normals_[at(w)];
+      direction_before += normals_[w];
+      direction_after += w == v ? to.normal : normals_[w];
     }
     const double facing = facing_cosine(after, direction_after);
     if (facing < least_facing_cosine && facing < facing_cosine(before, direction_before)) return false;
@@ -159,41 +157,41 @@ bool ImplicitRemesher::may_move(int v, const Projected& to, std::array<int, 2> e
 
 double ImplicitRemesher::longest_edge_after_move(int v, const Vec3& to) const {
   double longest = 0;
-  for (int w : neighbours(v)) longest = std::max(longest, (points_[at(w)] - to).norm());
+  for (int w : neighbours(v)) longest = std::max(longest, (points_[w] - to).norm());
   return longest;
 }
 
 void ImplicitRemesher::replace_corner(int face, int from, int to) {
-  std::ranges::replace(faces_[at(face)], from, to);
-  star_[at(to)].push_back(face);
+  std::ranges::replace(faces_[face], from, to);
+  star_[to].push_back(face);
 }
 
-void ImplicitRemesher::detach(int face, int vertex) { std::erase(star_[at(vertex)], face); }
+void ImplicitRemesher::detach(int face, int vertex) { std::erase(star_[vertex], face); }
 
 bool ImplicitRemesher::collapse(int a, int b, double longest_allowed) {
   const EdgeFaces e = edge_faces(a, b);
   if (e.left < 0 || e.right < 0) return false;
-  if (static_cast<int>(star_[at(e.above)].size()) <= least_valence ||
-      static_cast<int>(star_[at(e.below)].size()) <= least_valence)
+  if (static_cast<int>(star_[e.above].size()) <= least_valence ||
+      static_cast<int>(star_[e.below].size()) <= least_valence)
     return false;
   // The link condition: only the two opposite corners may be neighbours of both ends.
   const std::vector<int> of_a = neighbours(a), of_b = neighbours(b);
   std::vector<int> common;
   std::ranges::set_intersection(of_a, of_b, std::back_inserter(common));
   if (common.size() != 2 || of_a.size() + of_b.size() < 8) return false;
-  const Projected middle = projected(function_, 0.5 * (points_[at(a)] + points_[at(b)]), step_limit_);
+  const Projected middle = projected(function_, 0.5 * (points_[a] + points_[b]), step_limit_);
   if (!may_move(a, middle, {e.left, e.right}) || !may_move(b, middle, {e.left, e.right})) return false;
   if (std::max(longest_edge_after_move(a, middle.point), longest_edge_after_move(b, middle.point)) >
       longest_allowed)
     return false;
   for (int f : {e.left, e.right}) {
-    for (int v : faces_[at(f)]) detach(f, v);
-    faces_[at(f)] = {-1, -1, -1};
+    for (int v : faces_[f]) detach(f, v);
+    faces_[f] = {-1, -1, -1};
   }
-  for (int f : std::vector<int>(star_[at(b)])) replace_corner(f, b, a);
-  star_[at(b)].clear();
-  points_[at(a)] = middle.point;
-  normals_[at(a)] = middle.normal;
+  for (int f : std::vector<int>(star_[b])) replace_corner(f, b, a);
+  star_[b].clear();
+  points_[a] = middle.point;
+  normals_[a] = middle.normal;
   --vertex_count_;
   return true;
 }
@@ -201,10 +199,9 @@ bool ImplicitRemesher::collapse(int a, int b, double longest_allowed) {
 bool ImplicitRemesher::split(int a, int b) {
   const EdgeFaces e = edge_faces(a, b);
   if (e.left < 0 || e.right < 0) return false;
-  const Projected middle = projected(function_, 0.5 * (points_[at(a)] + points_[at(b)]), step_limit_);
-  const Vec3 &pa = points_[at(a)], &pb = points_[at(b)], &pc = points_[at(e.above)],
-             &pd = points_[at(e.below)];
-  const Vec3 n = middle.normal + normals_[at(a)] + normals_[at(b)];
+  const Projected middle = projected(function_, 0.5 * (points_[a] + points_[b]), step_limit_);
+  const Vec3 &pa = points_[a], &pb = points_[b], &pc = points_[e.above], &pd = points_[e.below];
+  const Vec3 n = middle.normal + normals_[a] + normals_[b];
   if (!faces_outward(pa, middle.point, pc, n) || !faces_outward(middle.point, pb, pc, n) ||
       !faces_outward(pb, middle.point, pd, n) || !faces_outward(middle.point, pa, pd, n))
     return false;
@@ -219,7 +216,7 @@ bool ImplicitRemesher::split(int a, int b) {
     replace_corner(face, b, m);
     const int added = static_cast<int>(faces_.size());
     faces_.push_back(ahead ? Triangle{m, b, apex} : Triangle{b, m, apex});
-    for (int v : {m, b, apex}) star_[at(v)].push_back(added);
+    for (int v : {m, b, apex}) star_[v].push_back(added);
   }
   ++vertex_count_;
   return true;
@@ -230,20 +227,19 @@ bool ImplicitRemesher::flip(int a, int b) {
   if (e.left < 0 || e.right < 0) return false;
   const int c = e.above, d = e.below;
   if (c == d || adjacent(c, d)) return false;
-  if (static_cast<int>(star_[at(a)].size()) <= least_valence ||
-      static_cast<int>(star_[at(b)].size()) <= least_valence)
+  if (static_cast<int>(star_[a].size()) <= least_valence ||
+      static_cast<int>(star_[b].size()) <= least_valence)
     return false;
-  const Vec3 &pa = points_[at(a)], &pb = points_[at(b)], &pc = points_[at(c)], &pd = points_[at(d)];
-  const Vec3 around = normals_[at(c)] + normals_[at(d)];
-  if (!faces_outward(pc, pa, pd, around + normals_[at(a)]) ||
-      !faces_outward(pd, pb, pc, around + normals_[at(b)]))
+  const Vec3 &pa = points_[a], &pb = points_[b], &pc = points_[c], &pd = points_[d];
+  const Vec3 around = normals_[c] + normals_[d];
+  if (!faces_outward(pc, pa, pd, around + normals_[a]) || !faces_outward(pd, pb, pc, around + normals_[b]))
     return false;
   detach(e.left, b);
   detach(e.right, a);
-  faces_[at(e.left)] = {c, a, d};
-  faces_[at(e.right)] = {d, b, c};
-  star_[at(d)].push_back(e.left);
-  star_[at(c)].push_back(e.right);
+  faces_[e.left] = {c, a, d};
+  faces_[e.right] = {d, b, c};
+  star_[d].push_back(e.left);
+  star_[c].push_back(e.right);
   return true;
 }
 
@@ -252,10 +248,9 @@ void ImplicitRemesher::flip_all() {
   for (const Edge& edge : edges(0, std::numeric_limits<double>::infinity())) {
     const EdgeFaces e = edge_faces(edge.a, edge.b);
     if (e.left < 0 || e.right < 0) continue;
-    const Vec3 &a = points_[at(edge.a)], &b = points_[at(edge.b)];
+    const Vec3 &a = points_[edge.a], &b = points_[edge.b];
     // Delaunay: the angles opposite to the edge must not sum to more than two right angles.
-    if (cotangent(points_[at(e.above)], a, b) + cotangent(points_[at(e.below)], a, b) < -tie)
-      flip(edge.a, edge.b);
+    if (cotangent(points_[e.above], a, b) + cotangent(points_[e.below], a, b) < -tie) flip(edge.a, edge.b);
   }
 }
 
@@ -265,8 +260,8 @@ void ImplicitRemesher::smooth_all() {
     Vec3 sum = Vec3::Zero();
     double weight = 0;
     for (int f : star_[v]) {
-      const Triangle& t = faces_[at(f)];
-      const std::array<Vec3, 3> p{points_[at(t[0])], points_[at(t[1])], points_[at(t[2])]};
+      const Triangle& t = faces_[f];
+      const std::array<Vec3, 3> p{points_[t[0]], points_[t[1]], points_[t[2]]};
       const double a = foramen::area(p);
       sum += a / 3 * (p[0] + p[1] + p[2]);
       weight += a;

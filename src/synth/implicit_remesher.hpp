@@ -2,7 +2,7 @@
 /// \file
 /// Isotropic remeshing on an implicit surface.
 
-#include "foramen/synth/isosurface.hpp"
+#include "synth/isosurface.hpp"
 
 namespace foramen::synth {
 
@@ -48,7 +48,7 @@ class ImplicitRemesher {
   /// Those of such lengths, in the order of the triangles.
   std::vector<Edge> edges(double shortest, double longest) const;
   double length(int a, int b) const;
-  bool alive(int v) const { return !star_[static_cast<std::size_t>(v)].empty(); }
+  bool alive(int v) const { return !star_[v].empty(); }
   bool adjacent(int a, int b) const;
   std::vector<int> neighbours(int v) const;  // ascending
   // The faces with the edge from a to b and from b to a, and the corners opposite to it. {-1 ...} if a, b

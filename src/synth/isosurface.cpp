@@ -1,4 +1,4 @@
-#include "foramen/synth/isosurface.hpp"
+#include "synth/isosurface.hpp"
 
 #include <cmath>
 #include <string>

@@ -41,7 +41,7 @@ class Lattice {
       local[static_cast<int>(k)] = half_step_ * static_cast<double>(2 * first_[k] + p[k]);
     return pose_ * local;
   }
-  bool inside(const LatticePoint& p) const { return inside_[static_cast<std::size_t>(index(p))] != 0; }
+  bool inside(const LatticePoint& p) const { return inside_[index(p)] != 0; }
   /// A number of its own for every lattice point; corners come before centres.
   std::int64_t index(const LatticePoint& p) const {
     const std::int64_t within =
@@ -59,12 +59,12 @@ class Lattice {
     return (p.array() >= bounds_.low.array()).all() && (p.array() <= bounds_.high.array()).all();
   }
   void find_insides() {
-    inside_.assign(static_cast<std::size_t>(2 * layer()), 0);
+    inside_.assign(2 * layer(), 0);
     for (int odd = 0; odd < 2; ++odd)
       for (int k = odd; k <= 2 * cubes_[2]; k += 2)
         for (int j = odd; j <= 2 * cubes_[1]; j += 2)
           for (int i = odd; i <= 2 * cubes_[0]; i += 2)
-            if (value({i, j, k}) < 0) inside_[static_cast<std::size_t>(index({i, j, k}))] = 1;
+            if (value({i, j, k}) < 0) inside_[index({i, j, k})] = 1;
   }
 
   const ImplicitFunction& function_;

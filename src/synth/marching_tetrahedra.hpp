@@ -2,7 +2,7 @@
 /// \file
 /// The first triangulation of an implicit surface: marching tetrahedra on a body-centred cubic lattice.
 
-#include "foramen/synth/isosurface.hpp"
+#include "synth/isosurface.hpp"
 
 namespace foramen::synth {
 

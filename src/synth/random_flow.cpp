@@ -1,4 +1,4 @@
-#include "foramen/synth/random_flow.hpp"
+#include "synth/random_flow.hpp"
 
 #include <cmath>
 
@@ -34,11 +34,11 @@ std::vector<VelocityField> random_velocity_fields(int count, const RandomFieldOp
   FORAMEN_ASSERT(count >= 0 && options.correlation_mm > 0 && options.features > 0);
   // The spectrum of exp(-r^2 / (2 l^2)) is normal with standard deviation 1 / l.
   std::vector<Vec3> waves;
-  waves.reserve(static_cast<std::size_t>(options.features));
+  waves.reserve(options.features);
   for (int j = 0; j < options.features; ++j) waves.push_back(normal_vector(rng) / options.correlation_mm);
   // cos^2 + sin^2 = 1: with a cosine and a sine of each wave the variance is 1 for any set of waves.
   const double scale = 1 / std::sqrt(static_cast<double>(options.features));
-  std::vector<VelocityField> fields(static_cast<std::size_t>(count));
+  std::vector<VelocityField> fields(count);
   for (VelocityField& field : fields) {
     field.wave_vectors = waves;
     for (int j = 0; j < options.features; ++j) {

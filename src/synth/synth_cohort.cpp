@@ -11,9 +11,9 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/parallel.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/synth/isosurface.hpp"
-#include "foramen/synth/random_flow.hpp"
-#include "foramen/synth/vertebra_surface.hpp"
+#include "synth/isosurface.hpp"
+#include "synth/random_flow.hpp"
+#include "synth/vertebra_surface.hpp"
 
 namespace foramen {
 namespace {
@@ -109,8 +109,7 @@ int flow_steps(const SynthOptions& options) {
 std::vector<int> random_order(std::size_t count, Rng& rng) {
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);
-  for (std::size_t i = count; i > 1; --i)
-    std::swap(order[i - 1], order[static_cast<std::size_t>(rng.below(static_cast<int>(i)))]);
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[rng.below(static_cast<int>(i))]);
   return order;
 }
 
@@ -121,13 +120,11 @@ TriangleSoup shuffled(const TriangleSoup& soup, Rng& rng) {
   TriangleSoup out;
   out.points.resize(soup.points.size());
   out.triangles.resize(soup.triangles.size());
-  for (std::size_t v = 0; v < vertex.size(); ++v)
-    out.points[static_cast<std::size_t>(vertex[v])] = soup.points[v];
+  for (std::size_t v = 0; v < vertex.size(); ++v) out.points[vertex[v]] = soup.points[v];
   for (std::size_t f = 0; f < face.size(); ++f) {
-    const auto first = static_cast<std::size_t>(rng.below(3));
+    const std::size_t first = rng.below(3);
     for (std::size_t k = 0; k < 3; ++k)
-      out.triangles[static_cast<std::size_t>(face[f])][k] =
-          vertex[static_cast<std::size_t>(soup.triangles[f][(k + first) % 3])];
+      out.triangles[face[f]][k] = vertex[soup.triangles[f][(k + first) % 3]];
   }
   return out;
 }
@@ -159,10 +156,10 @@ std::vector<SynthShape> synth_cohort(const SynthOptions& options, const RunConte
   const auto shared =
       random_velocity_fields(options.modes, {.correlation_mm = options.correlation_mm}, shared_rng);
 
-  std::vector<SynthShape> shapes(static_cast<std::size_t>(options.shapes));
+  std::vector<SynthShape> shapes(options.shapes);
   std::atomic<int> done{0};
   parallel_for(options.shapes, ctx, [&](int item) {
-    shapes[static_cast<std::size_t>(item)] = make_shape(options, item, truth, shared);
+    shapes[item] = make_shape(options, item, truth, shared);
     ctx.step("synth", static_cast<double>(++done) / options.shapes);
   });
   return shapes;

@@ -52,8 +52,7 @@ LoopSystem greedy_loops(const Mesh& mesh, VertexId basepoint, const EdgeMap<doub
   LoopSystem system;
   system.basepoint = basepoint;
   system.tree_parent = VertexMap<HalfedgeId>(mesh.vertex_count());
-  for (VertexId v : mesh.vertices())
-    system.tree_parent[v] = HalfedgeId(s.parent[static_cast<std::size_t>(v.index)]);
+  for (VertexId v : mesh.vertices()) system.tree_parent[v] = HalfedgeId(s.parent[v.index]);
   for (std::size_t k = 0; k < s.leftover.size(); ++k) {
     system.generators.push_back(directed(mesh, EdgeId(s.leftover[k])));
     system.loops.push_back(close_loop(mesh, system.tree_parent, system.generators.back()));

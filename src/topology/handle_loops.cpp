@@ -11,8 +11,8 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/topology/linking.hpp"
 #include "topology/lifted_loop.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 namespace {
@@ -99,7 +99,7 @@ class DoubleCover {
  private:
   static constexpr double infinite = std::numeric_limits<double>::infinity();
   using Entry = std::tuple<double, VertexId, int>;
-  static std::size_t at(int sheet) { return static_cast<std::size_t>(sheet); }
+  static std::size_t at(int sheet) { return sheet; }
 
   EdgeLoop path_to(VertexId v, int sheet) const {
     EdgeLoop path;
@@ -155,7 +155,7 @@ EdgeLoop shortest_crossing_loop(const Mesh& mesh, const EdgeLoop& loop, const Ed
   EdgeLoop shortest;
   double length = std::numeric_limits<double>::infinity();
   for (std::size_t tries = 0; tries < loop.size(); ++tries) {
-    const auto next = static_cast<std::size_t>(std::min_element(bound.begin(), bound.end()) - bound.begin());
+    const std::size_t next = std::min_element(bound.begin(), bound.end()) - bound.begin();
     if (bound[next] >= length) break;
     EdgeLoop found = cover.shortest_through(mesh.from(loop[next]), length);
     if (!found.empty()) {

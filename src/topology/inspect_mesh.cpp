@@ -20,8 +20,7 @@ bool in_range(const Triangle& t, std::size_t points) {
 }
 
 std::array<Vec3, 3> corners_of(const TriangleSoup& soup, const Triangle& t) {
-  return {soup.points[static_cast<std::size_t>(t[0])], soup.points[static_cast<std::size_t>(t[1])],
-          soup.points[static_cast<std::size_t>(t[2])]};
+  return {soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]};
 }
 
 bool all_finite(const std::array<Vec3, 3>& t) {
@@ -86,9 +85,7 @@ void inspect_edges(const TriangleSoup& soup, const std::vector<Triangle>& triang
     if (count == 1) ++report.boundary_edges;
     if (count == 2 && forward != 1) ++report.misoriented_edges;
     if (count > 2) ++report.non_manifold_edges;
-    const double length = (soup.points[static_cast<std::size_t>(sides[i].high)] -
-                           soup.points[static_cast<std::size_t>(sides[i].low)])
-                              .norm();
+    const double length = (soup.points[sides[i].high] - soup.points[sides[i].low]).norm();
     if (std::isfinite(length)) {
       length_sum += length;
       ++measured;
@@ -104,9 +101,9 @@ void inspect_vertices(const TriangleSoup& soup, const std::vector<Triangle>& tri
   DisjointSets pieces(soup.points.size());
   for (std::size_t f = 0; f < triangles.size(); ++f)
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto vertex = static_cast<std::size_t>(triangles[f][k]);
+      const std::size_t vertex = triangles[f][k];
       if (fans.is_root(3 * f + k)) ++fan_count[vertex];
-      pieces.join(vertex, static_cast<std::size_t>(triangles[f][0]));
+      pieces.join(vertex, triangles[f][0]);
     }
   for (std::size_t v = 0; v < fan_count.size(); ++v) {
     if (fan_count[v] == 0) ++report.unused_vertices;

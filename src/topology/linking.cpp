@@ -1,4 +1,4 @@
-#include "foramen/topology/linking.hpp"
+#include "topology/linking.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -64,9 +64,9 @@ Eigen::Matrix2i seifert_matrix(const Mesh& mesh, const EdgeLoop& first, const Ed
     Eigen::Matrix2i s;
     bool integers = true;
     for (int l = 0; l < 2; ++l) {
-      const auto lifted = pushed_outward(mesh, crossed[static_cast<std::size_t>(l)], push);
+      const auto lifted = pushed_outward(mesh, crossed[l], push);
       for (int k = 0; k < 2; ++k) {
-        const auto number = nearest_integer(gauss_integral(loops[static_cast<std::size_t>(k)], lifted));
+        const auto number = nearest_integer(gauss_integral(loops[k], lifted));
         integers = integers && number.has_value();
         s(k, l) = number.value_or(0);
       }

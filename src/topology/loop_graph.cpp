@@ -20,12 +20,10 @@ constexpr std::int64_t expansions_before_heap = 3;
 // Bounds the number of buckets where one weight is huge against the mean.
 constexpr double most_buckets = 4096;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 int leader_of(std::vector<int>& leader, int f) {
-  while (leader[at(f)] != f) {
-    leader[at(f)] = leader[at(leader[at(f)])];
-    f = leader[at(f)];
+  while (leader[f] != f) {
+    leader[f] = leader[leader[f]];
+    f = leader[f];
   }
   return f;
 }
@@ -54,20 +52,20 @@ bool position_less(const Mesh& mesh, VertexId a, VertexId b) {
 LoopGraph::LoopGraph(const Mesh& mesh, const EdgeMap<double>& weights) : mesh_(mesh) {
   check(mesh, weights);
   weight_ = weights.values();
-  std::vector<int> degree(at(mesh.vertex_count()), 0);
+  std::vector<int> degree(mesh.vertex_count(), 0);
   for (HalfedgeId h : mesh.halfedges()) {
     face_across_.push_back(Mesh::face(mesh.twin(h)).index);
-    ++degree[at(mesh.from(h).index)];
+    ++degree[mesh.from(h).index];
   }
   first_arc_.resize(degree.size() + 1, 0);
   std::partial_sum(degree.begin(), degree.end(), first_arc_.begin() + 1);
-  arcs_.resize(at(mesh.halfedge_count()));
+  arcs_.resize(mesh.halfedge_count());
   std::vector<int> next_arc(first_arc_.begin(), first_arc_.end() - 1);
   for (HalfedgeId h : mesh.halfedges())
-    arcs_[at(next_arc[at(mesh.from(h).index)]++)] = {mesh.to(h).index, h.index, weights[mesh.edge(h)]};
+    arcs_[next_arc[mesh.from(h).index]++] = {mesh.to(h).index, h.index, weights[mesh.edge(h)]};
   for (FaceId f : mesh.faces()) {
     int neighbours = 0;
-    for (int k = 0; k < 3; ++k) neighbours ^= face_across_[at(3 * f.index + k)];
+    for (int k = 0; k < 3; ++k) neighbours ^= face_across_[3 * f.index + k];
     whole_faces_.push_back({3, neighbours});
   }
   for (EdgeId e : mesh.edges()) {
@@ -94,11 +92,11 @@ LoopGraph::LoopGraph(const Mesh& mesh, const EdgeMap<double>& weights) : mesh_(m
 
 LoopScratch LoopGraph::scratch() const {
   LoopScratch s;
-  s.distance.resize(at(vertex_count()));
-  s.parent.resize(at(vertex_count()));
+  s.distance.resize(vertex_count());
+  s.parent.resize(vertex_count());
   s.buckets.resize(bucket_count_);
-  s.faces.resize(at(mesh_.face_count()));
-  s.leader.resize(at(mesh_.face_count()));
+  s.faces.resize(mesh_.face_count());
+  s.leader.resize(mesh_.face_count());
   return s;
 }
 
@@ -123,7 +121,7 @@ void LoopGraph::grow_tree(int basepoint, LoopScratch& s) const {
   const std::int64_t free_expansions = expansions_before_heap * std::int64_t(vertex_count());
   std::int64_t expansions = 0;
   bool ordered = false;
-  s.distance[at(basepoint)] = 0;
+  s.distance[basepoint] = 0;
   s.buckets[0].push_back({0, basepoint});
   std::size_t waiting = 1;
   for (std::size_t current = 0; waiting > 0; ++current) {
@@ -134,13 +132,13 @@ void LoopGraph::grow_tree(int basepoint, LoopScratch& s) const {
       const LoopScratch::Entry entry = bucket.back();
       bucket.pop_back();
       --waiting;
-      if (entry.distance != s.distance[at(entry.vertex)]) continue;  // improved since
-      for (int k = first_arc_[at(entry.vertex)]; k < first_arc_[at(entry.vertex) + 1]; ++k) {
-        const Arc& arc = arcs_[at(k)];
+      if (entry.distance != s.distance[entry.vertex]) continue;  // improved since
+      for (int k = first_arc_[entry.vertex]; k < first_arc_[entry.vertex + 1]; ++k) {
+        const Arc& arc = arcs_[k];
         const double d = entry.distance + arc.weight;
-        if (d >= s.distance[at(arc.to)]) continue;
-        s.distance[at(arc.to)] = d;
-        s.parent[at(arc.to)] = arc.halfedge;
+        if (d >= s.distance[arc.to]) continue;
+        s.distance[arc.to] = d;
+        s.parent[arc.to] = arc.halfedge;
         const std::size_t index = static_cast<std::size_t>(d * buckets_per_length_);
         auto& target = s.buckets[index & mask];
         target.push_back({d, arc.to});
@@ -158,23 +156,23 @@ void LoopGraph::grow_tree(int basepoint, LoopScratch& s) const {
 void LoopGraph::choose_parents_by_position(LoopScratch& s) const {
   for (int v = 0; v < vertex_count(); ++v) {
     int best = -1, best_from = -1;
-    for (int k = first_arc_[at(v)]; k < first_arc_[at(v) + 1]; ++k) {
-      const Arc& arc = arcs_[at(k)];
-      const double d = s.distance[at(arc.to)];
+    for (int k = first_arc_[v]; k < first_arc_[v + 1]; ++k) {
+      const Arc& arc = arcs_[k];
+      const double d = s.distance[arc.to];
       // Strictly nearer ones only: over weights of zero two vertices could become each other's parent.
-      if (d >= s.distance[at(v)] || d + arc.weight != s.distance[at(v)]) continue;
+      if (d >= s.distance[v] || d + arc.weight != s.distance[v]) continue;
       if (best < 0 || position_less(mesh_, VertexId(arc.to), VertexId(best_from))) {
         best = mesh_.twin(HalfedgeId(arc.halfedge)).index;
         best_from = arc.to;
       }
     }
-    if (best >= 0) s.parent[at(v)] = best;
+    if (best >= 0) s.parent[v] = best;
   }
 }
 
 double LoopGraph::loop_length(int edge, const std::vector<double>& distance) const {
-  const auto& ends = edge_vertices_[at(edge)];
-  return (distance[at(ends[0])] + distance[at(ends[1])]) + weight_[at(edge)];
+  const auto& ends = edge_vertices_[edge];
+  return (distance[ends[0]] + distance[ends[1]]) + weight_[edge];
 }
 
 // Every spanning tree of the dual holds its bridges, so dual leaves can be taken off first, in linear time
@@ -183,13 +181,13 @@ double LoopGraph::loop_length(int edge, const std::vector<double>& distance) con
 void LoopGraph::peel(LoopScratch& s) const {
   s.faces = whole_faces_;
   const auto part = [&](int f, int g) {
-    LoopScratch::FaceState& face = s.faces[at(f)];
+    LoopScratch::FaceState& face = s.faces[f];
     face.neighbours ^= g;
     return --face.degree;
   };
   for (int h : s.parent) {
     if (h < 0) continue;
-    const int f = h / 3, g = face_across_[at(h)];
+    const int f = h / 3, g = face_across_[h];
     part(f, g);
     part(g, f);
   }
@@ -199,16 +197,15 @@ void LoopGraph::peel(LoopScratch& s) const {
   while (!s.stack.empty()) {
     const int f = s.stack.back();
     s.stack.pop_back();
-    if (s.faces[at(f)].degree == 0) continue;  // the last face of a sphere
-    const int g = s.faces[at(f)].neighbours;
-    s.faces[at(f)].degree = 0;
+    if (s.faces[f].degree == 0) continue;  // the last face of a sphere
+    const int g = s.faces[f].neighbours;
+    s.faces[f].degree = 0;
     if (part(g, f) == 1) s.stack.push_back(g);
   }
 }
 
 bool LoopGraph::in_tree(HalfedgeId h, const LoopScratch& s) const {
-  return s.parent[at(mesh_.to(h).index)] == h.index ||
-         s.parent[at(mesh_.from(h).index)] == mesh_.twin(h).index;
+  return s.parent[mesh_.to(h).index] == h.index || s.parent[mesh_.from(h).index] == mesh_.twin(h).index;
 }
 
 // Between two faces that are left no edge was peeled.
@@ -219,8 +216,8 @@ void LoopGraph::collect_core(LoopScratch& s) const {
     s.leader[f] = static_cast<int>(f);
     for (int k = 0; k < 3; ++k) {
       const HalfedgeId h(3 * static_cast<int>(f) + k);
-      const int across = face_across_[at(h.index)];
-      if (across > static_cast<int>(f) && s.faces[at(across)].degree > 0 && !in_tree(h, s))
+      const int across = face_across_[h.index];
+      if (across > static_cast<int>(f) && s.faces[across].degree > 0 && !in_tree(h, s))
         s.core.push_back(mesh_.edge(h).index);
     }
   }
@@ -230,7 +227,7 @@ void LoopGraph::find_leftover(LoopScratch& s) const {
   peel(s);
   collect_core(s);
   const auto edge_less = [&](int a, int b) {  // only for ties
-    auto p = edge_vertices_[at(a)], q = edge_vertices_[at(b)];
+    auto p = edge_vertices_[a], q = edge_vertices_[b];
     for (auto* ends : {&p, &q})
       if (position_less(mesh_, VertexId((*ends)[1]), VertexId((*ends)[0]))) std::swap((*ends)[0], (*ends)[1]);
     for (std::size_t k = 0; k < 2; ++k)
@@ -244,12 +241,11 @@ void LoopGraph::find_leftover(LoopScratch& s) const {
   s.leftover.clear();
   for (int e : s.core) {
     const HalfedgeId h = mesh_.halfedge(EdgeId(e));
-    const int a = leader_of(s.leader, Mesh::face(h).index),
-              b = leader_of(s.leader, face_across_[at(h.index)]);
+    const int a = leader_of(s.leader, Mesh::face(h).index), b = leader_of(s.leader, face_across_[h.index]);
     if (a == b)
       s.leftover.push_back(e);
     else
-      s.leader[at(a)] = b;
+      s.leader[a] = b;
   }
   std::reverse(s.leftover.begin(), s.leftover.end());
   FORAMEN_ASSERT(static_cast<int>(s.leftover.size()) == loop_count_);

@@ -23,8 +23,6 @@ constexpr double tie_tolerance = 1e-12;
 // evaluations.
 constexpr int batch_size = 8;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 // Best-first branch and bound over basepoints.
 //
 // The greedy loops at b have lengths l_1 <= ... <= l_2g, the successive minima of b: l_k(b) is the least r
@@ -44,12 +42,12 @@ class Search {
     if (loops_ == 0)
       throw TopologyError("a sphere has no loops to cut it open: needs genus 1 or more, found 0");
     if (counted > 0) loops_ = counted;
-    open_.resize(at(mesh.vertex_count()));
+    open_.resize(mesh.vertex_count());
     std::iota(open_.begin(), open_.end(), 0);
     std::sort(open_.begin(), open_.end(),
               [&](int a, int b) { return position_less(mesh, VertexId(a), VertexId(b)); });
     bound_.resize(open_.size(), 0);
-    bounds_.resize(open_.size() * at(loops_), 0);
+    bounds_.resize(open_.size() * loops_, 0);
     evaluated_.resize(open_.size(), 0);
     for (int k = 0; k < batch_size; ++k) scratch_.push_back(graph_.scratch());
   }
@@ -62,8 +60,7 @@ class Search {
 
   void evaluate_batch(const RunContext& ctx) {
     const std::vector<int> batch = choose_batch();
-    parallel_for(static_cast<int>(batch.size()), ctx,
-                 [&](int k) { graph_.evaluate(batch[at(k)], scratch_[at(k)]); });
+    parallel_for(static_cast<int>(batch.size()), ctx, [&](int k) { graph_.evaluate(batch[k], scratch_[k]); });
     for (std::size_t k = 0; k < batch.size(); ++k) note(batch[k], scratch_[k]);
     tighten(batch.size());
   }
@@ -91,7 +88,7 @@ class Search {
     while (static_cast<int>(batch.size()) < batch_size) {
       int chosen = -1;
       for (int v : open_) {
-        if (chosen >= 0 && bound_[at(v)] >= bound_[at(chosen)]) continue;
+        if (chosen >= 0 && bound_[v] >= bound_[chosen]) continue;
         bool clear = true;
         for (std::size_t k = 0; k < batch.size() && clear; ++k)
           clear = (mesh_.position(VertexId(v)) - mesh_.position(VertexId(batch[k]))).norm() > reach[k];
@@ -100,7 +97,7 @@ class Search {
       if (chosen < 0) break;
       batch.push_back(chosen);
       reach.push_back(found_.empty() ? std::numeric_limits<double>::infinity()
-                                     : (shortest_ - bound_[at(chosen)]) / (2 * loops_));
+                                     : (shortest_ - bound_[chosen]) / (2 * loops_));
     }
     return batch;
   }
@@ -109,7 +106,7 @@ class Search {
     const double length = std::accumulate(s.loop_lengths.begin(), s.loop_lengths.begin() + loops_, 0.0);
     shortest_ = found_.empty() ? length : std::min(shortest_, length);
     found_.push_back({basepoint, length});
-    evaluated_[at(basepoint)] = 1;
+    evaluated_[basepoint] = 1;
   }
 
   // Raises the bounds by what the batch has found and closes what cannot win or tie any more.
@@ -117,12 +114,12 @@ class Search {
     const double cutoff = shortest_ * (1 + 2 * tie_tolerance);  // twice: bounds are rounded, too
     std::size_t kept = 0;
     for (int v : open_) {
-      double* bounds = &bounds_[at(v) * at(loops_)];
+      double* bounds = &bounds_[v * loops_];
       for (std::size_t b = 0; b < batch; ++b)
         for (int k = 0; k < loops_; ++k)
-          bounds[k] = std::max(bounds[k], scratch_[b].loop_lengths[at(k)] - 2 * scratch_[b].distance[at(v)]);
-      bound_[at(v)] = std::accumulate(bounds, bounds + loops_, 0.0);
-      if (evaluated_[at(v)] == 0 && bound_[at(v)] <= cutoff) open_[kept++] = v;
+          bounds[k] = std::max(bounds[k], scratch_[b].loop_lengths[k] - 2 * scratch_[b].distance[v]);
+      bound_[v] = std::accumulate(bounds, bounds + loops_, 0.0);
+      if (evaluated_[v] == 0 && bound_[v] <= cutoff) open_[kept++] = v;
     }
     open_.resize(kept);
   }

@@ -1,4 +1,4 @@
-#include "foramen/workflow/build_choices.hpp"
+#include "workflow/build_choices.hpp"
 
 #include <array>
 

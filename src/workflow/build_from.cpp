@@ -1,4 +1,4 @@
-#include "foramen/workflow/build_from.hpp"
+#include "workflow/build_from.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,11 +1,11 @@
-#include "foramen/workflow/completion.hpp"
+#include "workflow/completion.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
-#include "foramen/apply/part_surface.hpp"
+#include "apply/part_surface.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/units.hpp"

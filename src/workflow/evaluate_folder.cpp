@@ -1,14 +1,14 @@
-#include "foramen/workflow/evaluate_folder.hpp"
+#include "workflow/evaluate_folder.hpp"
 
 #include <algorithm>
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/inputs/read_cohort.hpp"
-#include "foramen/inputs/subject_of.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/modelfiles/corresponding_folder.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
+#include "inputs/read_cohort.hpp"
+#include "inputs/subject_of.hpp"
+#include "modelfiles/corresponding_folder.hpp"
+#include "modelfiles/metrics_file.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,4 @@
-#include "foramen/workflow/label_choices.hpp"
+#include "workflow/label_choices.hpp"
 
 #include "foramen/core/error.hpp"
 

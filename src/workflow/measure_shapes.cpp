@@ -1,10 +1,10 @@
-#include "foramen/workflow/measure_shapes.hpp"
+#include "workflow/measure_shapes.hpp"
 
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "inputs/read_cohort.hpp"
 
 namespace foramen {
 namespace {

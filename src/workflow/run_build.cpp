@@ -1,4 +1,4 @@
-#include "foramen/workflow/run_build.hpp"
+#include "workflow/run_build.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -8,20 +8,20 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/inputs/subject_of.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/modelfiles/corresponding_folder.hpp"
-#include "foramen/modelfiles/error_maps_file.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
-#include "foramen/modelfiles/model_folder.hpp"
-#include "foramen/modelfiles/repair_record.hpp"
-#include "foramen/modelfiles/version.hpp"
-#include "foramen/pages/model_page.hpp"
 #include "foramen/stages/refit.hpp"
 #include "foramen/store/folder_store.hpp"
-#include "foramen/workflow/build_from.hpp"
+#include "inputs/subject_of.hpp"
+#include "io/atomic_file.hpp"
+#include "modelfiles/corresponding_folder.hpp"
+#include "modelfiles/error_maps_file.hpp"
 #include "modelfiles/folder_lock.hpp"
+#include "modelfiles/metrics_file.hpp"
+#include "modelfiles/model_folder.hpp"
+#include "modelfiles/repair_record.hpp"
 #include "modelfiles/run_json.hpp"
+#include "modelfiles/version.hpp"
+#include "pages/model_page.hpp"
+#include "workflow/build_from.hpp"
 
 namespace foramen {
 namespace {

@@ -1,14 +1,14 @@
-#include "foramen/workflow/run_extract.hpp"
+#include "workflow/run_extract.hpp"
 
 #include <cstdio>
 #include <set>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/atomic_file.hpp"
-#include "foramen/modelfiles/repair_record.hpp"
-#include "foramen/modelfiles/version.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "io/atomic_file.hpp"
+#include "modelfiles/repair_record.hpp"
 #include "modelfiles/run_json.hpp"
+#include "modelfiles/version.hpp"
 
 namespace foramen {
 namespace {

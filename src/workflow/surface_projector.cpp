@@ -1,4 +1,4 @@
-#include "foramen/workflow/surface_projector.hpp"
+#include "workflow/surface_projector.hpp"
 
 #include <cmath>
 #include <utility>

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "apply/lopsided_family.hpp"
-#include "foramen/apply/part_surface.hpp"
+#include "apply/part_surface.hpp"
 #include "foramen/core/error.hpp"
 
 namespace foramen {

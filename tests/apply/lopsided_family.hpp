@@ -29,7 +29,7 @@ inline TriangleSoup below_x(const TriangleSoup& soup, double limit) {
   TriangleSoup part{soup.points, {}};
   for (const auto& t : soup.triangles) {
     bool inside = true;
-    for (const int v : t) inside = inside && soup.points[static_cast<std::size_t>(v)].x() < limit;
+    for (const int v : t) inside = inside && soup.points[v].x() < limit;
     if (inside) part.triangles.push_back(t);
   }
   return part;

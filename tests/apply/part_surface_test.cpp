@@ -1,4 +1,4 @@
-#include "foramen/apply/part_surface.hpp"
+#include "apply/part_surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "foramen/apply/posterior.hpp"
+#include "apply/posterior.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
@@ -79,7 +79,7 @@ TEST(Posterior, IsThePapersFormForACommonNoise) {
   Eigen::MatrixXd q(6, columns);
   Eigen::VectorXd difference(6);
   for (int k = 0; k < 2; ++k) {
-    const LandmarkObservation& o = observations[static_cast<std::size_t>(k)];
+    const LandmarkObservation& o = observations[k];
     q.middleRows<3>(3 * k) = prior.factor.middleRows<3>(3 * o.landmark);
     difference.segment<3>(3 * k) = o.place - prior.mean.segment<3>(3 * o.landmark);
   }

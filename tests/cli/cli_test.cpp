@@ -10,7 +10,7 @@
 
 #include "cli/program.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/io/sha256.hpp"
+#include "io/sha256.hpp"
 #include "support/handles.hpp"
 #include "support/label_maps.hpp"
 #include "support/meshes.hpp"
@@ -217,7 +217,7 @@ TEST_F(Cli, RepairWritesWhatItMendedAndListsIt) {
   ASSERT_EQ(report.at("origin").size(), after.points.size());
   for (std::size_t v = 0; v < after.points.size(); ++v)
     if (const int was = report.at("origin").at(v); was >= 0) {
-      EXPECT_EQ(after.points[v], before.points[static_cast<std::size_t>(was)]);
+      EXPECT_EQ(after.points[v], before.points[was]);
     }
 
   const Outcome again = run("repair " + out.string() + " -o " + (folder() / "again.ply").string());

@@ -11,8 +11,8 @@
 #include "cli/program.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/io/table_file.hpp"
 #include "foramen/model/procrustes.hpp"
+#include "io/table_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {
@@ -130,8 +130,7 @@ TEST_F(UseModel, CompleteGivesTheWholeWithItsDeviation) {
   const BoundingBox box = bounding_box(part.points);
   const double limit = 0.5 * (box.low.y() + box.high.y());
   std::erase_if(part.triangles, [&](const auto& t) {
-    return std::any_of(t.begin(), t.end(),
-                       [&](int v) { return part.points[static_cast<std::size_t>(v)].y() > limit; });
+    return std::any_of(t.begin(), t.end(), [&](int v) { return part.points[v].y() > limit; });
   });
   write_ply(at("part.ply"), part, AnatomicalSpace::ras);
   const Outcome completed =

@@ -19,8 +19,8 @@ TEST(ParallelFor, CallsEveryItemOnce) {
   for (const int threads : {1, 2, 8})
     for (const int count : {0, 1, 2, 1000}) {
       SCOPED_TRACE(std::to_string(count) + " items on " + std::to_string(threads) + " threads");
-      std::vector<std::atomic<int>> calls(static_cast<std::size_t>(count));
-      parallel_for(count, RunContext(threads), [&](int i) { ++calls.at(static_cast<std::size_t>(i)); });
+      std::vector<std::atomic<int>> calls(count);
+      parallel_for(count, RunContext(threads), [&](int i) { ++calls.at(i); });
       for (const auto& c : calls) EXPECT_EQ(c, 1);
     }
 }
@@ -102,10 +102,10 @@ TEST(ParallelFor, LoopsMayBeNested) {
   std::vector<int> sums(20, 0);
   parallel_for(20, ctx, [&](int i) {
     std::vector<int> parts(10, 0);
-    parallel_for(10, ctx, [&](int k) { parts[static_cast<std::size_t>(k)] = i * k; });
-    for (const int part : parts) sums[static_cast<std::size_t>(i)] += part;
+    parallel_for(10, ctx, [&](int k) { parts[k] = i * k; });
+    for (const int part : parts) sums[i] += part;
   });
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(sums[static_cast<std::size_t>(i)], 45 * i);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(sums[i], 45 * i);
 }
 
 }  // namespace

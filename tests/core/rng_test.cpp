@@ -28,7 +28,7 @@ TEST(Rng, NormalHasMeanZeroAndVarianceOne) {
 TEST(Rng, BelowReachesEveryValueAndNoOther) {
   Rng rng(2);
   std::vector<int> seen(5, 0);
-  for (int i = 0; i < 1000; ++i) ++seen.at(static_cast<std::size_t>(rng.below(5)));
+  for (int i = 0; i < 1000; ++i) ++seen.at(rng.below(5));
   for (int count : seen) EXPECT_GT(count, 100);
 }
 

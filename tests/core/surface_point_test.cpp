@@ -11,8 +11,7 @@ TEST(SurfacePoint, UnitCoordinatesAreTheCornersInTheFacesOrder) {
   const Mesh mesh = build_mesh(testing::bumpy_torus_soup(8, 6, 2));
   for (const FaceId f : mesh.faces())
     for (int k = 0; k < 3; ++k)
-      EXPECT_EQ(position(mesh, {f, Vec3::Unit(k)}),
-                mesh.position(mesh.corners(f)[static_cast<std::size_t>(k)]));
+      EXPECT_EQ(position(mesh, {f, Vec3::Unit(k)}), mesh.position(mesh.corners(f)[k]));
 }
 
 TEST(SurfacePoint, CoordinatesAreWeightsOfTheCorners) {

@@ -65,7 +65,7 @@ TriangleSoup with_needle(TriangleSoup soup) {
   const std::array<int, 3> base = soup.triangles.back();
   soup.triangles.pop_back();
   std::array<Vec3, 3> corners;
-  for (std::size_t m = 0; m < 3; ++m) corners[m] = soup.points[static_cast<std::size_t>(base[m])];
+  for (std::size_t m = 0; m < 3; ++m) corners[m] = soup.points[base[m]];
   const Vec3 step = 0.01 * unit_normal(corners), centre = (corners[0] + corners[1] + corners[2]) / 3;
   constexpr int rings = 60;
   std::array<int, 3> below = base;
@@ -89,14 +89,14 @@ TriangleSoup with_needle(TriangleSoup soup) {
 TEST(Correspond, AnOrdinaryShapeThatHasNoMapIsNotTheReference) {
   std::vector<Shape> shapes = family();
   const int first = rank_references(shapes).front();
-  Shape& ragged = shapes[static_cast<std::size_t>(first)];
+  Shape& ragged = shapes[first];
   ragged.mesh = build_mesh(with_needle(ragged.mesh.soup()));
   ASSERT_EQ(rank_references(shapes).front(), first) << "the needle weighs nothing";
   const CohortRegistration found = correspond(shapes, only_aligned, RunContext(2)).registration;
   ASSERT_EQ(found.refused_references.size(), 1u);
   EXPECT_EQ(found.refused_references[0].name, ragged.name);
   EXPECT_GE(found.shapes.size(), 3u);
-  EXPECT_NE(found.shapes[static_cast<std::size_t>(found.reference)].name, ragged.name);
+  EXPECT_NE(found.shapes[found.reference].name, ragged.name);
 }
 
 TEST(RankReferences, BeginsWithTheShapeOfMedianSize) {

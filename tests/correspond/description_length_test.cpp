@@ -17,7 +17,7 @@ using Shapes = std::vector<std::vector<Vec3>>;
 Vec3 normal_point(Rng& rng) { return {rng.normal(), rng.normal(), rng.normal()}; }
 
 Shapes random_shapes(int shapes, int points, Rng& rng) {
-  Shapes all(static_cast<std::size_t>(shapes));
+  Shapes all(shapes);
   for (auto& shape : all)
     for (int k = 0; k < points; ++k) shape.push_back(normal_point(rng));
   return all;

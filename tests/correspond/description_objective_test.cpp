@@ -1,4 +1,4 @@
-#include "foramen/correspond/description_objective.hpp"
+#include "correspond/description_objective.hpp"
 
 #include <cmath>
 

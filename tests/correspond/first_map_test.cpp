@@ -8,8 +8,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/topology/linking.hpp"
 #include "support/lopsided_torus.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 namespace {
@@ -34,7 +34,7 @@ TEST_F(FirstMapTest, OfTheReferenceItselfHasItsLoopsAsPeriods) {
   EXPECT_EQ(own.map.lattice, Lattice::Identity());
   for (int k = 0; k < 2; ++k) {
     Vec2i around = Vec2i::Zero();
-    for (HalfedgeId h : reference.loops.loops[static_cast<std::size_t>(k)]) around += own.map.jumps[h];
+    for (HalfedgeId h : reference.loops.loops[k]) around += own.map.jumps[h];
     EXPECT_EQ(around, Vec2i(k == 0 ? 1 : 0, k == 0 ? 0 : 1));
   }
 }

@@ -62,7 +62,7 @@ TEST(PropagateLoops, OrientedSystemsCrossThePositiveWay) {
     for (int k = 0; k < 2; ++k) {
       Vec2i unit = Vec2i::Zero();
       unit[k] = 1;
-      EXPECT_EQ(integrate(form, loops.loops[static_cast<std::size_t>(k)]), unit);
+      EXPECT_EQ(integrate(form, loops.loops[k]), unit);
     }
   }
 }

@@ -10,9 +10,9 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
-#include "foramen/topology/linking.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/torus_cohort.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 namespace {
@@ -33,8 +33,7 @@ Mesh knotted_torus() {
     const Vec3 side = tangent.cross(Vec3::UnitZ()).normalized(), up = side.cross(tangent);
     for (int j = 0; j < across; ++j) {
       const double angle = 2 * std::numbers::pi * j / across;
-      soup.points[static_cast<std::size_t>(i * across + j)] =
-          centre(t) + 4 * (std::cos(angle) * side - std::sin(angle) * up);
+      soup.points[i * across + j] = centre(t) + 4 * (std::cos(angle) * side - std::sin(angle) * up);
     }
   }
   return build_mesh(std::move(soup));
@@ -115,8 +114,8 @@ TEST_F(RegisterGroup, AnotherReferenceLeadsToTheSameCorrespondence) {
   const auto difference = [&](const RegisterGroupOptions& options) {
     std::vector<std::vector<Vec3>> carried;
     for (int reference : {0, 2}) {
-      const GroupRegistration group = register_group(
-          shapes, map_reference(shapes[static_cast<std::size_t>(reference)], ctx), reference, ctx, options);
+      const GroupRegistration group =
+          register_group(shapes, map_reference(shapes[reference], ctx), reference, ctx, options);
       const TorusLocator locator(shapes[1], group.members[1].registered->shape_map.map);
       carried.push_back(lift_to_surface(locator, group.members[0].registered->shape_map.map.turns.values()));
     }

@@ -21,7 +21,7 @@ RigidTransform some_pose() {
 double largest_difference_in_turns(const TorusMap& a, const std::vector<int>& to_b, const TorusMap& b) {
   double largest = 0;
   for (VertexId v : a.turns.ids()) {
-    const Vec2 d = a.turns[v] - b.turns[VertexId(to_b[static_cast<std::size_t>(v.index)])];
+    const Vec2 d = a.turns[v] - b.turns[VertexId(to_b[v.index])];
     largest = std::max(largest, (d - d.array().round().matrix()).norm());
   }
   return largest;
@@ -37,7 +37,7 @@ TEST(RegisterShape, AMovedCopyOfTheReferenceGetsTheReferencesCoordinates) {
   const RegisteredShape copy = register_shape(transformed(mesh, some_pose()), reference, ctx);
   EXPECT_TRUE(copy.shape_map.certificate.valid());
   EXPECT_GT(copy.agreement.minCoeff(), 0.9);
-  std::vector<int> same(static_cast<std::size_t>(mesh.vertex_count()));
+  std::vector<int> same(mesh.vertex_count());
   for (std::size_t v = 0; v < same.size(); ++v) same[v] = static_cast<int>(v);
   EXPECT_LT(largest_difference_in_turns(copy.shape_map.map, same, reference.shape_map.map), 0.02);
 }

@@ -35,12 +35,12 @@ double equation4(const Scene& scene, VertexId j, const Vec2& x, int q, double ep
   std::sort(all.begin(), all.end());
   double sum = 0;
   for (int n = 0; n < q; ++n) {
-    const Vec2 target = scene.map.turns[VertexId(all[static_cast<std::size_t>(n)].second)];
+    const Vec2 target = scene.map.turns[VertexId(all[n].second)];
     double shortest = std::numeric_limits<double>::infinity();
     for (int a = -4; a <= 4; ++a)
       for (int b = -4; b <= 4; ++b)
         shortest = std::min(shortest, (x - scene.map.lattice * (target + Vec2(a, b))).squaredNorm());
-    sum += std::exp(-all[static_cast<std::size_t>(n)].first) * std::sqrt(shortest + eps * eps);
+    sum += std::exp(-all[n].first) * std::sqrt(shortest + eps * eps);
   }
   return sum;
 }

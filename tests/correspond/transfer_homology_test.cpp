@@ -4,9 +4,9 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/initial_map.hpp"
-#include "foramen/topology/linking.hpp"
+#include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
+#include "topology/linking.hpp"
 
 namespace foramen {
 namespace {
@@ -57,8 +57,7 @@ TEST(TransferHomology, RenamedPeriodsAreTheReferences) {
     const Eigen::Matrix2i inverse = inverse_unimodular(pair.transfer.a);
     EXPECT_EQ(inverse * pair.transfer.a, Eigen::Matrix2i::Identity());
     for (int k = 0; k < 2; ++k) {
-      const Vec2i period =
-          inverse * integrate(pair.form, pair.transfer.transferred[static_cast<std::size_t>(k)]);
+      const Vec2i period = inverse * integrate(pair.form, pair.transfer.transferred[k]);
       EXPECT_EQ(period, Vec2i(k == 0 ? 1 : 0, k == 0 ? 0 : 1));
     }
   }

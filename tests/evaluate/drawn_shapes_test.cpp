@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "foramen/core/error.hpp"
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 #include "support/torus_cohort.hpp"
 
 namespace foramen {

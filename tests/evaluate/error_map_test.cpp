@@ -47,9 +47,9 @@ ClosestPoint closest_of_all(const Mesh& mesh, const Vec3& query) {
 TEST(ErrorMap, IsTheLargestDistanceAroundEachLandmark) {
   const Pair pair = deformed_pair();
   const Mesh& mesh = pair.corresponding;
-  std::vector<double> expected(static_cast<std::size_t>(mesh.vertex_count()), 0.0);
+  std::vector<double> expected(mesh.vertex_count(), 0.0);
   const auto raise = [&](int landmark, double squared) {
-    double& e = expected[static_cast<std::size_t>(landmark)];
+    double& e = expected[landmark];
     e = std::max(e, std::sqrt(squared));
   };
   for (const Vec3& p : pair.input.positions()) {

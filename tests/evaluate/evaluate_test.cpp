@@ -8,7 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/flips.hpp"
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 #include "support/torus_cohort.hpp"
 
 namespace foramen {
@@ -84,7 +84,7 @@ TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
   const Representation r = representation(cohort, aligned, options, RunContext(2));
   double sum = 0;
   for (int s = 0; s < 3; ++s) {
-    const auto i = static_cast<std::size_t>(s);
+    const std::size_t i = s;
     const Mesh mesh = corresponding_mesh(cohort, s);
     const TriangleTree input(cohort.inputs[i]);
     const SurfaceDistance d = surface_distance(TriangleTree(mesh), input, options);

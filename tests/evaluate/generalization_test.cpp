@@ -64,8 +64,7 @@ TEST(Generalization, LeavesEachShapeOut) {
       for (std::size_t o = 0; o < 5; ++o)
         if (o != i) others.push_back(o);
       for (int m = 1; m <= 3; ++m)
-        expect_same(g.by_modes[static_cast<std::size_t>(m - 1)].items[i],
-                    by_definition(cohort, i, others, m, scale));
+        expect_same(g.by_modes[m - 1].items[i], by_definition(cohort, i, others, m, scale));
     }
   }
 }

@@ -1,4 +1,4 @@
-#include "foramen/evaluate/paired_p_value.hpp"
+#include "evaluate/paired_p_value.hpp"
 
 #include <gtest/gtest.h>
 

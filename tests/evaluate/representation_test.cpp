@@ -74,7 +74,7 @@ TEST(RepresentationOfSquares, ACentreBeyondItsSideTurnsOneTriangleOver) {
     EXPECT_EQ(r.shapes[s].plain_flips, expected);
     EXPECT_EQ(r.shapes[s].confirmed_flips, expected);
     EXPECT_EQ(r.shapes[s].opposing_mean, expected);
-    EXPECT_EQ(r.shapes[s].map.plain_flips, std::vector<int>(static_cast<std::size_t>(expected), 0));
+    EXPECT_EQ(r.shapes[s].map.plain_flips, std::vector<int>(expected, 0));
     EXPECT_EQ(r.shapes[s].map.confirmed_flips, r.shapes[s].map.plain_flips);
     EXPECT_EQ(r.shapes[s].degenerate, 0);
   }

@@ -52,7 +52,7 @@ void compare_with_all(const AlignedCohort& aligned) {
         expected.landmark_rms = std::min(expected.landmark_rms, rms);
         nearest[i] = std::min(nearest[i], d.hausdorff);
       }
-      const ShapeError& item = found.by_modes[k].items[static_cast<std::size_t>(draw)];
+      const ShapeError& item = found.by_modes[k].items[draw];
       EXPECT_NEAR(item.hausdorff, expected.hausdorff, 1e-12);
       EXPECT_NEAR(item.mean_surface, expected.mean_surface, 1e-12);
       EXPECT_NEAR(item.landmark_rms, expected.landmark_rms, 1e-12);

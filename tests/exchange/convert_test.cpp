@@ -1,4 +1,4 @@
-#include "foramen/exchange/convert.hpp"
+#include "exchange/convert.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,12 +7,12 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/io/named_points.hpp"
-#include "foramen/io/scalismo_landmarks.hpp"
-#include "foramen/io/shapeworks_project.hpp"
 #include "foramen/io/statismo_file.hpp"
-#include "foramen/io/table_file.hpp"
-#include "foramen/modelfiles/corresponding_folder.hpp"
+#include "io/named_points.hpp"
+#include "io/scalismo_landmarks.hpp"
+#include "io/shapeworks_project.hpp"
+#include "io/table_file.hpp"
+#include "modelfiles/corresponding_folder.hpp"
 #include "support/meshes.hpp"
 #include "support/temporary_folder.hpp"
 

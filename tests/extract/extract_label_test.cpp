@@ -8,8 +8,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/spatial/self_intersections.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "spatial/self_intersections.hpp"
 #include "support/label_maps.hpp"
 #include "support/real_data.hpp"
 
@@ -45,7 +45,7 @@ LabelMap restored(const LabelMap& map, const std::array<int, 3>& order,
   out.origin = map.origin;
   std::array<int, 3> start{}, step{};
   for (std::size_t a = 0; a < 3; ++a) {
-    const auto s = static_cast<std::size_t>(order[a]);
+    const std::size_t s = order[a];
     out.size[a] = map.size[s];
     start[a] = backwards[a] ? map.size[s] - 1 : 0;
     step[a] = backwards[a] ? -1 : 1;
@@ -57,8 +57,7 @@ LabelMap restored(const LabelMap& map, const std::array<int, 3>& order,
       for (int i = 0; i < out.size[0]; ++i) {
         std::array<int, 3> at{};
         const std::array<int, 3> here{i, j, k};
-        for (std::size_t a = 0; a < 3; ++a)
-          at[static_cast<std::size_t>(order[a])] = start[a] + step[a] * here[a];
+        for (std::size_t a = 0; a < 3; ++a) at[order[a]] = start[a] + step[a] * here[a];
         out.labels.push_back(map.at(at[0], at[1], at[2]));
       }
   return out;
@@ -143,7 +142,7 @@ TEST(ExtractLabel, ACutVertebraIsRefusedWithItsSideUnlessAsked) {
   LabelMap map = torus_map({1, 1, 2}, Vec3(-1, 1, 1).asDiagonal());
   const int cut = map.size[2] / 2;
   map.size[2] = cut;
-  map.labels.resize(static_cast<std::size_t>(map.size[0] * map.size[1] * cut));
+  map.labels.resize(map.size[0] * map.size[1] * cut);
   try {
     extract(map);
     ADD_FAILURE() << "not refused";

@@ -1,4 +1,4 @@
-#include "foramen/extract/extract_labels.hpp"
+#include "extract/extract_labels.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -101,8 +101,7 @@ class ExtractLabels : public ::testing::Test {
       for (int j = 0; j < 6; ++j)
         for (int i = 0; i < 6 * count; ++i) {
           const bool within = i % 6 > 0 && i % 6 < 5 && j > 0 && j < 5 && k > 0 && k < 5;
-          map.labels.push_back(
-              static_cast<std::uint16_t>(within ? labels[static_cast<std::size_t>(i / 6)] : 0));
+          map.labels.push_back(static_cast<std::uint16_t>(within ? labels[i / 6] : 0));
         }
     return folder_.file("spine.nii.gz", packed(nifti_bytes(map)));
   }

@@ -7,8 +7,8 @@
 #include "extract/cube_triangles.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/spatial/self_intersections.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen::extract {
 namespace {

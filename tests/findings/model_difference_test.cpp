@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "foramen/findings/compare_models.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
+#include "findings/compare_models.hpp"
+#include "modelfiles/metrics_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_cohort.hpp"
 

@@ -1,4 +1,4 @@
-#include "foramen/inputs/read_cohort.hpp"
+#include "inputs/read_cohort.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

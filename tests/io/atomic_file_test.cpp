@@ -1,4 +1,4 @@
-#include "foramen/io/atomic_file.hpp"
+#include "io/atomic_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "foramen/io/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 
 #include <csignal>
 
@@ -171,8 +171,7 @@ TEST(H5File, DamagedFilesAreReadOrRefused) {
   int refused = 0;
   for (int round = 0; round < 100; ++round) {
     std::string bytes = good;
-    bytes[static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size())))] =
-        static_cast<char>(rng.below(256));
+    bytes[rng.below(static_cast<int>(bytes.size()))] = static_cast<char>(rng.below(256));
     try {
       EXPECT_LE(H5Reader(folder.file("b.h5", bytes)).vector<double>("/g/v").size(), bytes.size());
     } catch (const IoError&) {

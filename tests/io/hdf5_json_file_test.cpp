@@ -1,4 +1,4 @@
-#include "foramen/io/hdf5_json_file.hpp"
+#include "io/hdf5_json_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "foramen/io/sha256.hpp"
+#include "io/sha256.hpp"
 #include "support/label_maps.hpp"
 #include "support/real_data.hpp"
 #include "support/temporary_folder.hpp"

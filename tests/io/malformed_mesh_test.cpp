@@ -77,10 +77,8 @@ TEST(DamagedMesh, IsReadSoundOrRefused) {
     for (int round = 0; round < 2000; ++round) {
       std::string bytes = good;
       for (int change = 0; change <= rng.below(3); ++change)
-        bytes[static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size())))] =
-            static_cast<char>(rng.below(256));
-      if (rng.below(4) == 0)
-        bytes.resize(static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size()))));
+        bytes[rng.below(static_cast<int>(bytes.size()))] = static_cast<char>(rng.below(256));
+      if (rng.below(4) == 0) bytes.resize(rng.below(static_cast<int>(bytes.size())));
       try {
         const TriangleSoup soup = parse({"file", bytes}).soup;
         for (const Vec3& p : soup.points) EXPECT_TRUE(p.allFinite());

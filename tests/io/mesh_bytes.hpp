@@ -33,8 +33,7 @@ inline std::string binary_stl(const TriangleSoup& soup, std::string header = "ma
   for (const auto& t : soup.triangles) {
     out += raw(0.0F) + raw(0.0F) + raw(0.0F);
     for (int corner : t)
-      for (int k = 0; k < 3; ++k)
-        out += raw(static_cast<float>(soup.points[static_cast<std::size_t>(corner)][k]));
+      for (int k = 0; k < 3; ++k) out += raw(static_cast<float>(soup.points[corner][k]));
     out += std::string(2, '\0');
   }
   return out;
@@ -45,7 +44,7 @@ inline std::string ascii_stl(const TriangleSoup& soup, const std::string& title 
   for (const auto& t : soup.triangles) {
     out += " facet normal 0 0 0\n  outer loop\n";
     for (int corner : t) {
-      const Vec3& p = soup.points[static_cast<std::size_t>(corner)];
+      const Vec3& p = soup.points[corner];
       out += "   vertex " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " +
              std::to_string(p.z()) + "\n";
     }
@@ -72,10 +71,10 @@ inline TriangleSoup in_order_of_use(const TriangleSoup& soup) {
   for (const auto& t : soup.triangles) {
     std::array<int, 3> moved{};
     for (std::size_t k = 0; k < 3; ++k) {
-      int& p = place[static_cast<std::size_t>(t[k])];
+      int& p = place[t[k]];
       if (p < 0) {
         p = static_cast<int>(out.points.size());
-        out.points.push_back(soup.points[static_cast<std::size_t>(t[k])]);
+        out.points.push_back(soup.points[t[k]]);
       }
       moved[k] = p;
     }

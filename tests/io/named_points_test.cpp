@@ -1,4 +1,4 @@
-#include "foramen/io/named_points.hpp"
+#include "io/named_points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "foramen/io/sha256.hpp"
+#include "io/sha256.hpp"
 
 #include <gtest/gtest.h>
 

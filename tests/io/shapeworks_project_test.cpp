@@ -1,10 +1,10 @@
-#include "foramen/io/shapeworks_project.hpp"
+#include "io/shapeworks_project.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
-#include "foramen/io/scalismo_landmarks.hpp"
+#include "io/scalismo_landmarks.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {

@@ -12,7 +12,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/io/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 #include "support/meshes.hpp"
 #include "support/temporary_folder.hpp"
 

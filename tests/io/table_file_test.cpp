@@ -1,4 +1,4 @@
-#include "foramen/io/table_file.hpp"
+#include "io/table_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

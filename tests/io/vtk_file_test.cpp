@@ -248,8 +248,7 @@ TEST(VtkFile, DamagedVtpIsReadSoundOrRefused) {
     for (int round = 0; round < 500; ++round) {
       std::string bytes = whole;
       for (int change = 0; change <= rng.below(3); ++change)
-        bytes[static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size())))] =
-            static_cast<char>(rng.below(256));
+        bytes[rng.below(static_cast<int>(bytes.size()))] = static_cast<char>(rng.below(256));
       try {
         const TriangleSoup soup = io_detail::parse_vtp({"file", bytes}).soup;
         for (const Vec3& p : soup.points) EXPECT_TRUE(p.allFinite());
@@ -278,8 +277,7 @@ TEST(VtkFile, DamagedLegacyIsReadSoundOrRefused) {
     for (int round = 0; round < 2000; ++round) {
       std::string bytes = whole;
       for (int change = 0; change <= rng.below(3); ++change)
-        bytes[static_cast<std::size_t>(rng.below(static_cast<int>(bytes.size())))] =
-            static_cast<char>(rng.below(256));
+        bytes[rng.below(static_cast<int>(bytes.size()))] = static_cast<char>(rng.below(256));
       try {
         const TriangleSoup soup = io_detail::parse_vtk({"file", bytes}).soup;
         for (const Vec3& p : soup.points) EXPECT_TRUE(p.allFinite());

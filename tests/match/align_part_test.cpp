@@ -21,13 +21,13 @@ Mesh side(const TriangleSoup& soup, double limit) {
   for (const auto& t : soup.triangles) {
     std::array<int, 3> corners{};
     bool inside = true;
-    for (const int v : t) inside = inside && soup.points[static_cast<std::size_t>(v)].x() < limit;
+    for (const int v : t) inside = inside && soup.points[v].x() < limit;
     if (!inside) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      int& at = index[static_cast<std::size_t>(t[k])];
+      int& at = index[t[k]];
       if (at < 0) {
         at = static_cast<int>(part.points.size());
-        part.points.push_back(soup.points[static_cast<std::size_t>(t[k])]);
+        part.points.push_back(soup.points[t[k]]);
       }
       corners[k] = at;
     }

@@ -74,7 +74,7 @@ TEST(OrientedVertices, AreTheVerticesWithTheirNormals) {
   const auto points = oriented_vertices(mesh);
   ASSERT_EQ(static_cast<int>(points.size()), mesh.vertex_count());
   for (VertexId v : mesh.vertices()) {
-    const OrientedPoint& p = points[static_cast<std::size_t>(v.index)];
+    const OrientedPoint& p = points[v.index];
     EXPECT_EQ(p.position, mesh.position(v));
     EXPECT_LT((p.normal - Vec3::UnitZ()).norm(), 1e-12);
     EXPECT_EQ(p.at_border, mesh.is_boundary(v));

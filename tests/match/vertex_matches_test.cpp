@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
-#include "foramen/match/robust_weight.hpp"
+#include "match/robust_weight.hpp"
 
 namespace foramen {
 namespace {

@@ -54,9 +54,9 @@ TEST(LandmarkWeights, AreTheAreasAroundLandmarksOfMeanOne) {
   std::vector<double> areas(surface().points.size(), 0.0);
   double total = 0;
   for (const auto& t : surface().triangles) {
-    const auto corner = [&](std::size_t k) { return surface().points[static_cast<std::size_t>(t[k])]; };
+    const auto corner = [&](std::size_t k) { return surface().points[t[k]]; };
     const double triangle = 0.5 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    for (const int c : t) areas[static_cast<std::size_t>(c)] += triangle / 3;
+    for (const int c : t) areas[c] += triangle / 3;
     total += triangle;
   }
   ASSERT_EQ(weights.size(), areas.size());
@@ -87,7 +87,7 @@ TEST(LandmarkWeights, RefusesALandmarkWithoutArea) {
   for (auto& shape : shapes)  // all around the first triangle's first corner falls into one point
     for (const auto& t : surface().triangles)
       if (std::find(t.begin(), t.end(), first[0]) != t.end())
-        for (const int c : t) shape[static_cast<std::size_t>(c)] = Vec3(1, 2, 3);
+        for (const int c : t) shape[c] = Vec3(1, 2, 3);
   EXPECT_THROW(area_weights(shapes), InvalidInput);
   EXPECT_EQ(word_of(LandmarkWeights::equal), "equal");
   EXPECT_EQ(word_of(LandmarkWeights::area), "area");

@@ -28,7 +28,7 @@ Eigen::MatrixXd random_basis(int rows, int columns, std::uint64_t seed) {
 
 Shapes random_shapes(int count, int landmarks, std::uint64_t seed) {
   Rng rng(seed);
-  Shapes shapes(static_cast<std::size_t>(count));
+  Shapes shapes(count);
   for (auto& shape : shapes)
     for (int i = 0; i < landmarks; ++i)
       shape.emplace_back(20 + i + rng.normal(), -3.0 * i + rng.normal(), 2 * rng.normal());
@@ -78,7 +78,7 @@ TEST(ShapeModel, AgreesWithTheFullCovariance) {
   const Shapes shapes = random_shapes(6, 8, 5);
   const ShapeModel model = model_of_aligned(shapes, {});
   Eigen::MatrixXd x(24, 6);
-  for (Eigen::Index s = 0; s < 6; ++s) x.col(s) = flattened(shapes[static_cast<std::size_t>(s)]);
+  for (Eigen::Index s = 0; s < 6; ++s) x.col(s) = flattened(shapes[s]);
   x.colwise() -= Eigen::VectorXd(x.rowwise().mean());
   const Eigen::MatrixXd covariance = x * x.transpose() / 5;
   const Eigen::MatrixXd modelled = model.basis() * model.variance().asDiagonal() * model.basis().transpose();

@@ -19,7 +19,7 @@ using Shapes = std::vector<std::vector<Vec3>>;
 
 Shapes random_shapes(int count, int landmarks, std::uint64_t seed) {
   Rng rng(seed);
-  Shapes shapes(static_cast<std::size_t>(count));
+  Shapes shapes(count);
   for (auto& shape : shapes)
     for (int i = 0; i < landmarks; ++i)
       shape.emplace_back(20 + i + rng.normal(), -3.0 * i + rng.normal(), 2 * rng.normal());
@@ -36,7 +36,7 @@ std::vector<double> random_weights(std::size_t count, std::uint64_t seed) {
 /// W of the inner product x^T W y.
 Eigen::VectorXd per_coordinate(const std::vector<double>& weights) {
   Eigen::VectorXd w(3 * std::ssize(weights));
-  for (Eigen::Index k = 0; k < w.size(); ++k) w[k] = weights[static_cast<std::size_t>(k / 3)];
+  for (Eigen::Index k = 0; k < w.size(); ++k) w[k] = weights[k / 3];
   return w;
 }
 
@@ -64,7 +64,7 @@ TEST(WeightedShapeModel, AgreesWithTheGeneralisedEigenproblem) {
   const auto weights = random_weights(landmarks, 23);
   const ShapeModel model = model_of_aligned(shapes, {}, weights);
   Eigen::MatrixXd x(3 * landmarks, count);
-  for (Eigen::Index s = 0; s < count; ++s) x.col(s) = flattened(shapes[static_cast<std::size_t>(s)]);
+  for (Eigen::Index s = 0; s < count; ++s) x.col(s) = flattened(shapes[s]);
   x.colwise() -= Eigen::VectorXd(x.rowwise().mean());
   const Eigen::MatrixXd w = per_coordinate(weights).asDiagonal();
   const Eigen::MatrixXd covariance = x * x.transpose() / (count - 1);

@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/atlas_file.hpp"
+#include "modelfiles/atlas_file.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/corresponding_folder.hpp"
+#include "modelfiles/corresponding_folder.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/error_maps_file.hpp"
+#include "modelfiles/error_maps_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/measures_file.hpp"
+#include "modelfiles/measures_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/metrics_file.hpp"
+#include "modelfiles/metrics_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

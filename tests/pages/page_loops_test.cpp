@@ -97,8 +97,7 @@ TEST(LoopsOnLandmarks, LieWhereTheTemplatesLoopsLie) {
   const BuiltModel built = build_model(testing::family(), options, RunContext(2));
   const Atlas atlas = atlas_of(built);
   const Mesh landmarks =
-      build_mesh({built.landmarks.points[static_cast<std::size_t>(built.registration.reference)],
-                  built.landmarks.mesh.triangles});
+      build_mesh({built.landmarks.points[built.registration.reference], built.landmarks.mesh.triangles});
   const Loops loops = loops_on_landmarks(atlas);
   for (std::size_t k = 0; k < 2; ++k) {
     ASSERT_EQ(loops[k].size(), atlas.loops[k].size());

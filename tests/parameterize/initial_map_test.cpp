@@ -1,4 +1,4 @@
-#include "foramen/parameterize/initial_map.hpp"
+#include "parameterize/initial_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -101,7 +101,7 @@ TEST(RectangleMap, LaysTheLoopsOfAGridOnTheSides) {
     if ((row(a) == 0 && row(b) == 0) || (column(a) == 0 && column(b) == 0)) weights[e] = 0.01;
   }
   const LoopSystem loops = oriented_loops(mesh, VertexId(0), weights);
-  ASSERT_EQ(loops.loops[0].size() + loops.loops[1].size(), static_cast<std::size_t>(around + tube));
+  ASSERT_EQ(loops.loops[0].size() + loops.loops[1].size(), around + tube);
   const TorusMap map = rectangle_torus_map(mesh, loops);
   for (std::size_t k = 0; k < 2; ++k)
     for (HalfedgeId h : loops.loops[k]) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "foramen/parameterize/initial_map.hpp"
+#include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen::testing {
@@ -45,8 +45,8 @@ inline Cocycle grid_form(const Mesh& mesh, const TorusGrid& grid) {
   };
   Cocycle form{HalfedgeMap<Vec2i>(mesh.halfedge_count(), Vec2i::Zero())};
   for (HalfedgeId h : mesh.halfedges()) {
-    const auto& a = grid.cell[static_cast<std::size_t>(mesh.from(h).index)];
-    const auto& b = grid.cell[static_cast<std::size_t>(mesh.to(h).index)];
+    const auto& a = grid.cell[mesh.from(h).index];
+    const auto& b = grid.cell[mesh.to(h).index];
     form.value[h] = Vec2i(jump(a[0], b[0], grid.around), jump(a[1], b[1], grid.tube));
   }
   return form;
@@ -69,8 +69,7 @@ inline Mesh folded_flat_torus(int around, int tube, double length_mm, double wid
   const auto folded = [](int i, int count) { return std::abs(2.0 * i / count - 1.0) / 2; };
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < tube; ++j)
-      soup.points[static_cast<std::size_t>(i * tube + j)] =
-          Vec3(length_mm * folded(i, around), width_mm * folded(j, tube), 0);
+      soup.points[i * tube + j] = Vec3(length_mm * folded(i, around), width_mm * folded(j, tube), 0);
   return build_mesh(std::move(soup));
 }
 

@@ -8,7 +8,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/parameterize/distortion.hpp"
+#include "parameterize/distortion.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "support/real_meshes.hpp"
 
@@ -197,7 +197,7 @@ TEST(OptimiseMap, RefusesASurfaceTriangleWithoutArea) {
   const auto [mesh, map] = mapped_bumpy_torus(12, 9, 1);
   std::vector<Vec3> points(mesh.positions().begin(), mesh.positions().end());
   const auto c = mesh.corners(FaceId(33));
-  points[static_cast<std::size_t>(c[2].index)] = points[static_cast<std::size_t>(c[1].index)];
+  points[c[2].index] = points[c[1].index];
   try {
     optimise_map(mesh.with_positions(points), map, quiet);
     FAIL();

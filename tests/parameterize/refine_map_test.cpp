@@ -1,4 +1,4 @@
-#include "foramen/parameterize/refine_map.hpp"
+#include "parameterize/refine_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/parameterize/initial_map.hpp"
 #include "foramen/parameterize/optimise_map.hpp"
 #include "foramen/topology/periods.hpp"
+#include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "foramen/parameterize/distortion.hpp"
 #include "parameterize/block_cholesky.hpp"
+#include "parameterize/distortion.hpp"
 #include "parameterize/flip_free_step.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "parameterize/newton_system.hpp"
@@ -48,27 +48,26 @@ TEST(Dissection, HoldsEveryVertexOnceAndSeparates) {
   for (const auto& [name, torus] : testing::genus1_maps()) {
     SCOPED_TRACE(name);
     const DissectionTree tree = dissect(torus.mesh, torus_coordinates(torus));
-    std::vector<int> node(static_cast<std::size_t>(torus.mesh.vertex_count()), -1), parent(tree.size(), -1);
+    std::vector<int> node(torus.mesh.vertex_count(), -1), parent(tree.size(), -1);
     for (std::size_t k = 0; k < tree.size(); ++k) {
       for (int v : tree[k].columns) {
-        EXPECT_EQ(node[static_cast<std::size_t>(v)], -1);
-        node[static_cast<std::size_t>(v)] = static_cast<int>(k);
+        EXPECT_EQ(node[v], -1);
+        node[v] = static_cast<int>(k);
       }
       for (int c : tree[k].children)
         if (c >= 0) {
           EXPECT_LT(c, static_cast<int>(k));
-          parent[static_cast<std::size_t>(c)] = static_cast<int>(k);
+          parent[c] = static_cast<int>(k);
         }
     }
     const auto is_above = [&](int upper, int lower) {
-      for (; lower >= 0; lower = parent[static_cast<std::size_t>(lower)])
+      for (; lower >= 0; lower = parent[lower])
         if (lower == upper) return true;
       return false;
     };
     for (EdgeId e : torus.mesh.edges()) {
       const HalfedgeId h = torus.mesh.halfedge(e);
-      const int a = node[static_cast<std::size_t>(torus.mesh.from(h).index)],
-                b = node[static_cast<std::size_t>(torus.mesh.to(h).index)];
+      const int a = node[torus.mesh.from(h).index], b = node[torus.mesh.to(h).index];
       EXPECT_TRUE(is_above(a, b) || is_above(b, a));
     }
   }

@@ -86,7 +86,7 @@ TEST(TorusMap, PlaneTriangleHasTheEdgesAndTheArea) {
   for (FaceId f : mesh.faces()) {
     const auto t = plane_triangle(mesh, map, f);
     for (int k = 0; k < 3; ++k) {
-      const Vec2 side = t[static_cast<std::size_t>((k + 1) % 3)] - t[static_cast<std::size_t>(k)];
+      const Vec2 side = t[(k + 1) % 3] - t[k];
       EXPECT_NEAR((side - edge_in_plane(mesh, map, Mesh::halfedge(f, k))).norm(), 0, 1e-14);
     }
     sum += signed_area(mesh, map, f);

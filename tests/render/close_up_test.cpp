@@ -1,4 +1,4 @@
-#include "foramen/render/close_up.hpp"
+#include "render/close_up.hpp"
 
 #include <algorithm>
 #include <array>
@@ -64,16 +64,15 @@ TEST(CloseUp, AreaCountsAndNotTheNumberOfTriangles) {
   const CloseUpOptions options{.size_mm = 10, .pixel_mm = 0.25};
   const Camera before = close_up(soup, marked, options);
   const int split = triangle_at(0, 0);  // a scattered one
-  std::array<int, 3> t = soup.triangles[static_cast<std::size_t>(split)];
+  std::array<int, 3> t = soup.triangles[split];
   for (int k = 0; k < 60; ++k) {  // cut off one corner after the other towards the middle of an edge
     const int middle = static_cast<int>(soup.points.size());
-    soup.points.emplace_back(
-        (soup.points[static_cast<std::size_t>(t[1])] + soup.points[static_cast<std::size_t>(t[2])]) / 2);
+    soup.points.emplace_back((soup.points[t[1]] + soup.points[t[2]]) / 2);
     marked.push_back(static_cast<int>(soup.triangles.size()));
     soup.triangles.push_back({t[0], t[1], middle});
     t = {t[0], middle, t[2]};
   }
-  soup.triangles[static_cast<std::size_t>(split)] = t;
+  soup.triangles[split] = t;
   const Camera after = close_up(soup, marked, options);
   EXPECT_EQ(before.centre, after.centre);
   EXPECT_EQ(before.direction, after.direction);

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "foramen/render/render_scene.hpp"
+#include "render/render_scene.hpp"
 
 namespace foramen::testing {
 

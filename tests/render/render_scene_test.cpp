@@ -1,10 +1,10 @@
-#include "foramen/render/render_scene.hpp"
+#include "render/render_scene.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
-#include "foramen/render/vertebra_scenes.hpp"
+#include "render/vertebra_scenes.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {

@@ -1,4 +1,4 @@
-#include "foramen/render/torus_scenes.hpp"
+#include "render/torus_scenes.hpp"
 
 #include <cmath>
 #include <map>
@@ -17,7 +17,7 @@ using testing::mapped_torus;
 using testing::MappedTorus;
 
 std::array<Vec3, 3> triangle(const SceneSurface& surface, const std::array<int, 3>& t) {
-  const auto point = [&](int v) { return surface.soup.points[static_cast<std::size_t>(v)]; };
+  const auto point = [&](int v) { return surface.soup.points[v]; };
   return {point(t[0]), point(t[1]), point(t[2])};
 }
 
@@ -76,8 +76,7 @@ TEST(CheckeredSurface, EveryPieceHasTheColourOfItsCell) {
     const auto cell = [](double angle, int cells) {
       return static_cast<int>(cells * wrap(angle / (2 * std::numbers::pi)));
     };
-    for (int corner : t)
-      colours[{cell(u, 8), cell(v, 4)}].insert(surface.vertex_colours[static_cast<std::size_t>(corner)]);
+    for (int corner : t) colours[{cell(u, 8), cell(v, 4)}].insert(surface.vertex_colours[corner]);
   }
   EXPECT_EQ(colours.size(), 32u);
   std::set<Colour> all;

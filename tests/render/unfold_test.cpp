@@ -1,4 +1,4 @@
-#include "foramen/render/unfold.hpp"
+#include "render/unfold.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "foramen/render/vertebra_scenes.hpp"
+#include "render/vertebra_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>

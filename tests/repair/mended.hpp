@@ -34,8 +34,7 @@ inline RepairedMesh mended(const TriangleSoup& raw, const RepairOptions& options
     const auto now = repaired.from_raw(was);
     EXPECT_TRUE(now.has_value());
     EXPECT_EQ(repaired.origin[now.value_or(v)], was);
-    EXPECT_LE((repaired.mesh.position(v) - raw.points[static_cast<std::size_t>(was.index)]).norm(),
-              repaired.report.largest_move_mm);
+    EXPECT_LE((repaired.mesh.position(v) - raw.points[was.index]).norm(), repaired.report.largest_move_mm);
   }
   EXPECT_FALSE(repaired.from_raw(VertexId()));
   EXPECT_FALSE(repaired.from_raw(VertexId(static_cast<int>(raw.points.size()))));

@@ -1,4 +1,4 @@
-#include "foramen/repair/part_sheets.hpp"
+#include "repair/part_sheets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 #include "support/double_torus.hpp"
 #include "support/handles.hpp"
 #include "support/meshes.hpp"

@@ -49,9 +49,7 @@ TriangleSoup random_soup(Rng& rng) {
 
 double area_of(const TriangleSoup& soup) {
   double sum = 0;
-  for (const auto& t : soup.triangles)
-    sum += area({soup.points[static_cast<std::size_t>(t[0])], soup.points[static_cast<std::size_t>(t[1])],
-                 soup.points[static_cast<std::size_t>(t[2])]});
+  for (const auto& t : soup.triangles) sum += area({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]});
   return sum;
 }
 
@@ -88,8 +86,7 @@ std::vector<std::array<double, 9>> surface_of(const TriangleSoup& soup) {
     for (std::size_t first = 0; first < 3; ++first)
       for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t c = 0; c < 3; ++c)
-          turned[first][3 * k + c] =
-              soup.points[static_cast<std::size_t>(t[(first + k) % 3])][static_cast<int>(c)];
+          turned[first][3 * k + c] = soup.points[t[(first + k) % 3]][static_cast<int>(c)];
     triangles.push_back(*std::min_element(turned.begin(), turned.end()));
   }
   std::sort(triangles.begin(), triangles.end());
@@ -106,7 +103,7 @@ class Planted {
     faces_.resize(clean_.triangles.size());
     for (std::size_t f = 0; f < faces_.size(); ++f) faces_[f] = f;
     for (std::size_t f = faces_.size(); f > 1; --f)
-      std::swap(faces_[f - 1], faces_[static_cast<std::size_t>(rng_.below(static_cast<int>(f)))]);
+      std::swap(faces_[f - 1], faces_[rng_.below(static_cast<int>(f))]);
     plant(RepairKind::unused_vertices, [this] { soup_.points.push_back(anywhere()); });
     plant(RepairKind::duplicate_vertices, [this] {
       const std::size_t f = untouched(), corner = static_cast<std::size_t>(rng_.below(3));
@@ -153,7 +150,7 @@ class Planted {
     faces_.pop_back();
     return f;
   }
-  Vec3 point(int v) const { return soup_.points[static_cast<std::size_t>(v)]; }
+  Vec3 point(int v) const { return soup_.points[v]; }
   Vec3 anywhere() { return {rng_.uniform(-50, 50), rng_.uniform(-50, 50), rng_.uniform(-50, 50)}; }
   void add_piece(const Vec3& at, double size) {
     add(soup_, {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}},
@@ -183,8 +180,8 @@ constexpr int all_damage = 6, promised_damage = 3;
 // One edit of a surface. The first three kinds are promised to be mended: a triangle gone, one twice, one
 // wound the other way.
 void damage(TriangleSoup& soup, int kind, Rng& rng) {
-  const auto f = static_cast<std::size_t>(rng.below(static_cast<int>(soup.triangles.size())));
-  const auto v = static_cast<std::size_t>(rng.below(static_cast<int>(soup.points.size())));
+  const std::size_t f = rng.below(static_cast<int>(soup.triangles.size()));
+  const std::size_t v = rng.below(static_cast<int>(soup.points.size()));
   switch (kind) {
     case 0:
       soup.triangles.erase(soup.triangles.begin() + static_cast<std::ptrdiff_t>(f));
@@ -196,13 +193,13 @@ void damage(TriangleSoup& soup, int kind, Rng& rng) {
       std::swap(soup.triangles[f][0], soup.triangles[f][1]);
       break;
     case 3:
-      soup.triangles[f][static_cast<std::size_t>(rng.below(3))] = static_cast<int>(v);
+      soup.triangles[f][rng.below(3)] = static_cast<int>(v);
       break;
     case 4:
       soup.points[v] += 6 * Vec3(rng.normal(), rng.normal(), rng.normal());
       break;
     default:
-      soup.points[v] = soup.points[static_cast<std::size_t>(soup.triangles[f][0])];
+      soup.points[v] = soup.points[soup.triangles[f][0]];
       break;
   }
 }

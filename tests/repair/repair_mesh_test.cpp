@@ -10,9 +10,9 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/self_intersections.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 #include "repair/mended.hpp"
+#include "spatial/self_intersections.hpp"
 #include "support/handles.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
@@ -85,7 +85,7 @@ TEST(RepairMesh, TrianglesApartAreJoined) {
   const TriangleSoup whole = torus();
   for (const auto& t : whole.triangles) {
     const int n = static_cast<int>(apart.points.size());
-    for (int corner : t) apart.points.push_back(whole.points[static_cast<std::size_t>(corner)]);
+    for (int corner : t) apart.points.push_back(whole.points[corner]);
     apart.triangles.push_back({n, n + 1, n + 2});
   }
   const RepairedMesh repaired = mended(apart);
@@ -123,7 +123,7 @@ TEST(RepairMesh, DuplicateTrianglesAreDroppedWhateverTheirWinding) {
 TEST(RepairMesh, ACopyOfTheWholeSurfaceIsOneSurface) {
   TriangleSoup soup = torus();
   const int n = static_cast<int>(soup.points.size());
-  for (int v = 0; v < n; ++v) soup.points.push_back(Vec3(soup.points[static_cast<std::size_t>(v)]));
+  for (int v = 0; v < n; ++v) soup.points.push_back(Vec3(soup.points[v]));
   for (const auto& t : torus().triangles) soup.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
   const RepairedMesh repaired = mended(soup);
   expect_only(repaired, {{RepairKind::duplicate_vertices, n},
@@ -133,7 +133,7 @@ TEST(RepairMesh, ACopyOfTheWholeSurfaceIsOneSurface) {
 TEST(RepairMesh, TrianglesWithoutAreaGo) {
   TriangleSoup soup = torus();
   const auto t = soup.triangles[7];
-  const Vec3 a = soup.points[static_cast<std::size_t>(t[0])], b = soup.points[static_cast<std::size_t>(t[1])];
+  const Vec3 a = soup.points[t[0]], b = soup.points[t[1]];
   {  // a corner used twice: the rest is whole
     TriangleSoup repeated = soup;
     repeated.triangles.push_back({t[0], t[1], t[1]});
@@ -193,8 +193,8 @@ TEST(RepairMesh, PartsOfOneSurfaceThatTouchInAPointOrAlongAnEdgeAreParted) {
   // Opposite sides of the hole drawn out to the axis until they meet.
   const auto draw_out = [](int i, const Vec3& to) {
     TriangleSoup soup = torus_soup(around, tube, 20, 14);
-    soup.points[static_cast<std::size_t>(grid(i, tube / 2))] = to;
-    soup.points[static_cast<std::size_t>(grid(i + around / 2, tube / 2))] = to;
+    soup.points[grid(i, tube / 2)] = to;
+    soup.points[grid(i + around / 2, tube / 2)] = to;
     for (auto& t : soup.triangles)
       for (int& corner : t)
         if (corner == grid(i + around / 2, tube / 2)) corner = grid(i, tube / 2);
@@ -269,9 +269,7 @@ TEST(RepairMesh, SmallHolesAreFilledSmoothly) {
   EXPECT_NEAR(signed_volume(repaired.mesh), signed_volume(build_mesh(torus())), 4);
   EXPECT_TRUE(self_intersections(TriangleTree(repaired.mesh)).empty());
   for (const Vec3& p : repaired.report.changes[1].positions)
-    EXPECT_LT(std::min((p - torus().points[static_cast<std::size_t>(grid(4, 3))]).norm(),
-                       (p - torus().points[static_cast<std::size_t>(grid(20, 8))]).norm()),
-              1);
+    EXPECT_LT(std::min((p - torus().points[grid(4, 3)]).norm(), (p - torus().points[grid(20, 8)]).norm()), 1);
   // New vertices keep to the torus, whose tube has a radius of 8 mm.
   for (VertexId v : repaired.mesh.vertices()) {
     const Vec3 p = repaired.mesh.position(v);
@@ -282,10 +280,8 @@ TEST(RepairMesh, SmallHolesAreFilledSmoothly) {
 
 TEST(RepairMesh, ALargeHoleIsRefusedWithItsSizeAndPlace) {
   TriangleSoup soup = torus();
-  std::erase_if(soup.triangles, [&](const auto& t) {
-    return soup.points[static_cast<std::size_t>(t[0])].x() > 24 &&
-           soup.points[static_cast<std::size_t>(t[0])].z() > -2;
-  });
+  std::erase_if(soup.triangles,
+                [&](const auto& t) { return soup.points[t[0]].x() > 24 && soup.points[t[0]].z() > -2; });
   const std::string said = refusal([&] { repair_mesh(soup); });
   EXPECT_THAT(said, HasSubstr("hole of"));
   EXPECT_THAT(said, HasSubstr("20.0 mm"));
@@ -299,7 +295,7 @@ TEST(RepairMesh, SheetsThatRunThroughEachOtherAreParted) {
   for (Vec3& p : soup.points) p.z() *= 0.1;
   const TriangleSoup flat = soup;
   const int up = 10 * 60 + 15;
-  soup.points[static_cast<std::size_t>(up)].z() -= 1.75;
+  soup.points[up].z() -= 1.75;
   ASSERT_FALSE(self_intersections(TriangleTree(build_mesh(soup))).empty());
   const RepairedMesh repaired = mended(soup);
   EXPECT_TRUE(self_intersections(TriangleTree(repaired.mesh)).empty());
@@ -307,8 +303,8 @@ TEST(RepairMesh, SheetsThatRunThroughEachOtherAreParted) {
   EXPECT_GE(count(repaired, RepairKind::self_intersections), 1);
   EXPECT_LE(repaired.report.largest_move_mm, 0.5);
   for (VertexId v : repaired.mesh.vertices()) {
-    if ((repaired.mesh.position(v) - flat.points[static_cast<std::size_t>(up)]).norm() < 6) continue;
-    EXPECT_EQ(repaired.mesh.position(v), soup.points[static_cast<std::size_t>(repaired.origin[v].index)]);
+    if ((repaired.mesh.position(v) - flat.points[up]).norm() < 6) continue;
+    EXPECT_EQ(repaired.mesh.position(v), soup.points[repaired.origin[v].index]);
   }
 }
 

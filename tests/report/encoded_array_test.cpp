@@ -1,4 +1,4 @@
-#include "foramen/report/encoded_array.hpp"
+#include "report/encoded_array.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

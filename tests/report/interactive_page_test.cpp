@@ -1,4 +1,4 @@
-#include "foramen/report/interactive_page.hpp"
+#include "report/interactive_page.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

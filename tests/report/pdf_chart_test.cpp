@@ -1,4 +1,4 @@
-#include "foramen/report/pdf_chart.hpp"
+#include "report/pdf_chart.hpp"
 
 #include <array>
 #include <cstdlib>

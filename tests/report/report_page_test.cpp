@@ -1,4 +1,4 @@
-#include "foramen/report/report_page.hpp"
+#include "report/report_page.hpp"
 
 #include <algorithm>
 #include <string>

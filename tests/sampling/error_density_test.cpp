@@ -48,7 +48,7 @@ class ErrorDensity : public ::testing::Test {
   }
   Mesh with_spike(VertexId v, double height) const {
     std::vector<Vec3> positions = landmarks();
-    Vec3& p = positions[static_cast<std::size_t>(v.index)];
+    Vec3& p = positions[v.index];
     p += height * p.normalized();
     return torus.mesh.with_positions(std::move(positions));
   }

@@ -36,7 +36,7 @@ struct State {
   }
 
   GuiltTable guilt() const {
-    GuiltTable table(pairs.size(), std::vector<Guilt>(static_cast<std::size_t>(mesh.face_slots())));
+    GuiltTable table(pairs.size(), std::vector<Guilt>(mesh.face_slots()));
     for (int s = 0; s < lifted.shapes(); ++s) {
       for (int f = 0; f < mesh.face_slots(); ++f) {
         const auto [a, b, c] = mesh.corners(f);

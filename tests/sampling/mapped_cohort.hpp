@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "foramen/sampling/curvature_density.hpp"
-#include "foramen/sampling/refine_landmarks.hpp"
 #include "foramen/spatial/flips.hpp"
-#include "foramen/spatial/self_intersections.hpp"
 #include "sampling/mapped_tori.hpp"
+#include "sampling/refine_landmarks.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen::testing {
 

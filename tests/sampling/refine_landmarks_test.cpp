@@ -1,11 +1,11 @@
-#include "foramen/sampling/refine_landmarks.hpp"
+#include "sampling/refine_landmarks.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/spatial/self_intersections.hpp"
 #include "sampling/mapped_cohort.hpp"
+#include "spatial/self_intersections.hpp"
 
 namespace foramen {
 namespace {

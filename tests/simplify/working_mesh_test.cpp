@@ -1,4 +1,4 @@
-#include "foramen/simplify/working_mesh.hpp"
+#include "simplify/working_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ std::vector<Case> closed_meshes() {
 
 // Undoes the collapses on plain triples of indices, by the meaning of the record alone.
 Triangles restored(const Mesh& input, const WorkingMesh& working) {
-  Triangles triangles(static_cast<std::size_t>(input.face_count()), {-1, -1, -1});
+  Triangles triangles(input.face_count(), {-1, -1, -1});
   for (FaceId f : working.mesh.faces())
     for (int k = 0; k < 3; ++k)
       triangles[working.face_origin[f].index][k] = working.vertex_origin[working.mesh.corners(f)[k]].index;

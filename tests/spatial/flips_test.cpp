@@ -88,12 +88,12 @@ TEST(SampledFlips, OnAThinWallPlainFlipsAreNotConfirmed) {
   const TriangleTree thin(plate(20, 40, 0.2));
   const Mesh between = build_mesh(square(8, 8, -0.05, true));
   const SampledFlips flips = sampled_flips(between, thin);
-  EXPECT_EQ(flips.plain.size(), static_cast<std::size_t>(between.face_count()));
+  EXPECT_EQ(flips.plain.size(), between.face_count());
   EXPECT_THAT(flips.confirmed, IsEmpty());
   // The same on a thick plate is a flip: nothing within reach faces up.
   const SampledFlips thick =
       sampled_flips(build_mesh(square(8, 8, -1.05, true)), TriangleTree(plate(20, 40, 2.2)));
-  EXPECT_EQ(thick.confirmed.size(), static_cast<std::size_t>(between.face_count()));
+  EXPECT_EQ(thick.confirmed.size(), between.face_count());
 }
 
 TEST(SampledFlips, TheMarginIsAQuarterOfTheMeanLandmarkEdge) {
@@ -108,15 +108,14 @@ TEST(SampledFlips, TheMarginIsAQuarterOfTheMeanLandmarkEdge) {
     return sampled_flips(moved, TriangleTree(plate(20, 40, thickness))).confirmed.size();
   };
   EXPECT_EQ(confirmed(0.98 * margin), 0u);
-  EXPECT_EQ(confirmed(1.02 * margin), static_cast<std::size_t>(landmarks.face_count()));
+  EXPECT_EQ(confirmed(1.02 * margin), landmarks.face_count());
 }
 
 TEST(SampledFlips, TrianglesWithoutAreaAreDegenerateAndNothingElse) {
   const Mesh input = build_mesh(testing::torus_soup(40, 20));
   std::vector<Vec3> points(input.positions().begin(), input.positions().end());
   const auto corners = input.corners(FaceId(7));
-  points[static_cast<std::size_t>(corners[0].index)] =
-      0.3 * input.position(corners[1]) + 0.7 * input.position(corners[2]);
+  points[corners[0].index] = 0.3 * input.position(corners[1]) + 0.7 * input.position(corners[2]);
   const SampledFlips flips = sampled_flips(input.with_positions(points), TriangleTree(input));
   EXPECT_THAT(flips.degenerate, ElementsAre(FaceId(7)));
   EXPECT_THAT(flips.plain, Not(Contains(FaceId(7))));
@@ -173,9 +172,9 @@ TEST(FoldedOver, APartThatTurnsAsAWholeIsNotFolded) {
 
   // One inner vertex drawn across the far edge of a triangle turns over that one, whatever the surface does.
   for (std::vector<Vec3> points : {flat.points, rolled.points}) {
-    const auto corner = [&](int i, int j) { return points[static_cast<std::size_t>(at(i, j))]; };
+    const auto corner = [&](int i, int j) { return points[at(i, j)]; };
     const Vec3 middle = 0.5 * (corner(20, 2) + corner(21, 3));
-    points[static_cast<std::size_t>(at(21, 2))] += 1.3 * (middle - corner(21, 2));
+    points[at(21, 2)] += 1.3 * (middle - corner(21, 2));
     EXPECT_EQ(folded_over(mean.with_positions(points), mean), 1);
   }
 }
@@ -196,7 +195,7 @@ TEST(SampledFlips, RoundingToSinglePrecisionTurnsNothingOver) {
   const TriangleTree tree(input);
   std::vector<Vec3> collapsed(soup.points);
   for (std::size_t f = 0; f < soup.triangles.size(); f += 2 * 30 * 3 + 14) {
-    const auto at = [&](std::size_t k) { return static_cast<std::size_t>(soup.triangles[f][k]); };
+    const auto at = [&](std::size_t k) { return soup.triangles[f][k]; };
     collapsed[at(0)] = soup.points[at(1)] + 0.37 * (soup.points[at(2)] - soup.points[at(1)]);
   }
   for (Vec3& p : collapsed) p = p.cast<float>().cast<double>();

@@ -107,7 +107,7 @@ TEST(Orientation, IsAlternating) {
       int inversions = 0;
       for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = i + 1; j < 4; ++j) inversions += order[i] > order[j];
-      const auto at = [&](std::size_t i) { return p[static_cast<std::size_t>(order[i])]; };
+      const auto at = [&](std::size_t i) { return p[order[i]]; };
       ASSERT_EQ(orientation(at(0), at(1), at(2), at(3)), inversions % 2 == 0 ? first : -first);
     } while (std::next_permutation(order.begin(), order.end()));
   }

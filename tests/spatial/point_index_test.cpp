@@ -48,7 +48,7 @@ std::vector<NearPoint> all_by_distance(int count, const SquaredDistance& squared
 }
 
 void expect_same(const std::vector<NearPoint>& found, const std::vector<NearPoint>& expected, int count) {
-  ASSERT_EQ(found.size(), static_cast<std::size_t>(count));
+  ASSERT_EQ(found.size(), count);
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_EQ(found[i].index, expected[i].index) << "neighbour " << i;
     EXPECT_NEAR(found[i].squared_distance, expected[i].squared_distance, 1e-12);
@@ -84,7 +84,7 @@ TEST(PointIndex, CoincidentPointsComeInOrder) {
   EXPECT_EQ(index.nearest(Vec3::Zero()).index, 0);
   const auto found = index.nearest(Vec3::Zero(), 50);
   ASSERT_EQ(found.size(), 50u);
-  for (int i = 0; i < 50; ++i) EXPECT_EQ(found[static_cast<std::size_t>(i)].index, i);
+  for (int i = 0; i < 50; ++i) EXPECT_EQ(found[i].index, i);
 }
 
 TEST(PointIndex, FewOrNoPoints) {

@@ -1,4 +1,4 @@
-#include "foramen/spatial/self_intersections.hpp"
+#include "spatial/self_intersections.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -334,9 +334,8 @@ TEST(TriangleTree, TheSameFromManyThreads) {
   for (int i = 0; i < 500; ++i) queries.push_back(random_query(mesh, rng));
   const auto answers = [&](int threads) {
     std::vector<ClosestPoint> found(queries.size());
-    parallel_for(static_cast<int>(queries.size()), RunContext(threads), [&](int i) {
-      found[static_cast<std::size_t>(i)] = tree.closest(queries[static_cast<std::size_t>(i)]);
-    });
+    parallel_for(static_cast<int>(queries.size()), RunContext(threads),
+                 [&](int i) { found[i] = tree.closest(queries[i]); });
     return found;
   };
   const auto one = answers(1), four = answers(4);

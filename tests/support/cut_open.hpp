@@ -76,7 +76,7 @@ inline Sectors split_at(const Mesh& mesh, const EdgeMap<bool>& cut) {
         out.soup.points.push_back(mesh.position(v));
         out.origin.push_back(v);
       }
-      out.soup.triangles[static_cast<std::size_t>(h.index / 3)][static_cast<std::size_t>(h.index % 3)] = copy;
+      out.soup.triangles[h.index / 3][h.index % 3] = copy;
     }
   }
   return out;

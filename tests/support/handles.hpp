@@ -76,8 +76,7 @@ class TorusWithHandles {
       std::vector<int> next = last;
       if (r < rings)
         for (std::size_t k = 0; k < first.size(); ++k) {
-          const Vec3 a = soup.points[static_cast<std::size_t>(first[k])],
-                     b = soup.points[static_cast<std::size_t>(last[k])];
+          const Vec3 a = soup.points[first[k]], b = soup.points[last[k]];
           next[k] = static_cast<int>(soup.points.size());
           soup.points.push_back(between(a, b, static_cast<double>(r) / rings));
         }

@@ -1,4 +1,4 @@
-#include "foramen/synth/random_flow.hpp"
+#include "synth/random_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST(RandomFlow, TheJacobianStaysPositive) {
     const auto q = carried_by_flow(
         std::vector<Vec3>{p, p + h * Vec3::UnitX(), p + h * Vec3::UnitY(), p + h * Vec3::UnitZ()}, field, 16);
     Mat3 jacobian;
-    for (int k = 0; k < 3; ++k) jacobian.col(k) = (q[static_cast<std::size_t>(k + 1)] - q[0]) / h;
+    for (int k = 0; k < 3; ++k) jacobian.col(k) = (q[k + 1] - q[0]) / h;
     EXPECT_GT(jacobian.determinant(), 0);
   }
 }

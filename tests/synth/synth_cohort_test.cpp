@@ -12,8 +12,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
-#include "foramen/synth/isosurface.hpp"
-#include "foramen/synth/vertebra_surface.hpp"
+#include "synth/isosurface.hpp"
+#include "synth/vertebra_surface.hpp"
 
 namespace foramen {
 namespace {
@@ -262,7 +262,7 @@ Eigen::MatrixXd displacements(const SynthOptions& options) {
   const auto shapes = synth_cohort(options, RunContext());
   Eigen::MatrixXd d(3 * static_cast<Eigen::Index>(base.size()), options.shapes);
   for (int i = 0; i < options.shapes; ++i) {
-    const auto& points = shapes[static_cast<std::size_t>(i)].truth.points;
+    const auto& points = shapes[i].truth.points;
     const RigidTransform back = rigid_fit(points, base);
     for (std::size_t v = 0; v < base.size(); ++v)
       d.block<3, 1>(3 * static_cast<Eigen::Index>(v), i) = back * points[v] - base[v];
@@ -281,8 +281,8 @@ TEST(SynthCohort, ModesSpanThatManyDirections) {
         Eigen::MatrixXd(d.transpose() * d).selfadjointView<Eigen::Lower>().eigenvalues().cwiseAbs();
     std::vector<double> sorted(s.data(), s.data() + s.size());
     std::ranges::sort(sorted, std::greater{});
-    EXPECT_GT(sorted[static_cast<std::size_t>(modes - 1)], 1e-4 * sorted[0]);
-    EXPECT_LT(sorted[static_cast<std::size_t>(modes)], 1e-8 * sorted[0]);
+    EXPECT_GT(sorted[modes - 1], 1e-4 * sorted[0]);
+    EXPECT_LT(sorted[modes], 1e-8 * sorted[0]);
   }
   o.modes = 0;
   const Eigen::MatrixXd d = displacements(o);

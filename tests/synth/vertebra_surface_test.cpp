@@ -1,4 +1,4 @@
-#include "foramen/synth/vertebra_surface.hpp"
+#include "synth/vertebra_surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -92,8 +92,8 @@ TEST_F(CutTorus, AlongTwoLoopsThatMeetOnce) {
   const LoopSystem loops = with({m, e});
   expect_one_disk(mesh, loops);
   const CutMesh cut = testing::cut_open(mesh, loops);
-  EXPECT_EQ(cut.boundary.size(), static_cast<std::size_t>(2 * (around + tube)));  // a rectangle
-  EXPECT_EQ(cut.disk.vertex_count(), mesh.vertex_count() + around + tube + 1);    // four copies of the corner
+  EXPECT_EQ(cut.boundary.size(), 2 * (around + tube));                          // a rectangle
+  EXPECT_EQ(cut.disk.vertex_count(), mesh.vertex_count() + around + tube + 1);  // four copies of the corner
 }
 
 TEST_F(CutTorus, AlongAThetaGraph) {

@@ -81,7 +81,7 @@ double brute_force_crossing(const Mesh& mesh, const EdgeLoop& loop, const EdgeMa
     // Clockwise from the way back, that is to the left of the loop.
     for (h = Mesh::next(mesh.twin(h)); h != next; h = Mesh::next(mesh.twin(h))) ++crossings[mesh.edge(h)];
   }
-  const auto n = static_cast<std::size_t>(mesh.vertex_count());
+  const std::size_t n = mesh.vertex_count();
   std::vector<std::vector<double>> d(2 * n,
                                      std::vector<double>(2 * n, std::numeric_limits<double>::infinity()));
   for (HalfedgeId h : mesh.halfedges())

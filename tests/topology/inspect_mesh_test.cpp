@@ -196,18 +196,16 @@ TEST(InspectMesh, AgreesWithBuildMeshOnAnySoup) {
                         : round % 3 == 1 ? tetrahedron()
                                          : genus2_soup(4, 4);
     for (int change = rng.below(3); change > 0; --change) {
-      auto& triangle =
-          soup.triangles[static_cast<std::size_t>(rng.below(static_cast<int>(soup.triangles.size())))];
+      auto& triangle = soup.triangles[rng.below(static_cast<int>(soup.triangles.size()))];
       const int kind = rng.below(6);
-      if (kind == 0) triangle[static_cast<std::size_t>(rng.below(3))] = rng.below(40) - 4;
+      if (kind == 0) triangle[rng.below(3)] = rng.below(40) - 4;
       if (kind == 1) triangle = {rng.below(5), rng.below(5), rng.below(5)};
       if (kind == 2) std::swap(triangle[0], triangle[1]);
       if (kind == 3) soup.triangles.push_back(triangle);
-      if (kind == 4) soup.points[static_cast<std::size_t>(rng.below(4))][rng.below(3)] = values[rng.below(6)];
+      if (kind == 4) soup.points[rng.below(4)][rng.below(3)] = values[rng.below(6)];
       if (kind == 5) std::swap(triangle, soup.triangles.back());
     }
-    if (rng.below(8) == 0)
-      soup.triangles.resize(static_cast<std::size_t>(rng.below(static_cast<int>(soup.triangles.size()))));
+    if (rng.below(8) == 0) soup.triangles.resize(rng.below(static_cast<int>(soup.triangles.size())));
     const MeshReport report = inspect_mesh(soup);
     bool builds = true, torus = false;
     try {

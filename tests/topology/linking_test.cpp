@@ -1,4 +1,4 @@
-#include "foramen/topology/linking.hpp"
+#include "topology/linking.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ Matrix seifert_of(const Mesh& mesh, const LoopSystem& loops) {
 
 Matrix basis_change(const Cocycle& form, const LoopSystem& loops) {
   Matrix a;
-  for (int k = 0; k < 2; ++k) a.col(k) = integrate(form, loops.loops[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < 2; ++k) a.col(k) = integrate(form, loops.loops[k]);
   return a;
 }
 
@@ -145,7 +145,7 @@ TEST(SeifertMatrix, OfAKnottedTorusHoldsItsFraming) {
     const Vec3 normal = trefoil_normal(t), tangent = (trefoil(t + 1e-5) - trefoil(t - 1e-5)).normalized();
     for (int j = 0; j < tube; ++j) {
       const double v = 2 * pi * j / tube;
-      soup.points[static_cast<std::size_t>(i * tube + j)] =
+      soup.points[i * tube + j] =
           trefoil(t) + 1.5 * (std::cos(v) * normal + std::sin(v) * normal.cross(tangent));
     }
   }

@@ -50,7 +50,7 @@ TEST(Cocycle, ChangesOfBasisAreInverse) {
   const LoopSystem here = greedy_loops(mesh, VertexId(0), lengths);
   const auto periods = [](const Cocycle& form, const LoopSystem& loops) {
     Eigen::Matrix2i a;
-    for (int k = 0; k < 2; ++k) a.col(k) = integrate(form, loops.loops[static_cast<std::size_t>(k)]);
+    for (int k = 0; k < 2; ++k) a.col(k) = integrate(form, loops.loops[k]);
     return a;
   };
   for (VertexId v : some_vertices(mesh, 20)) {

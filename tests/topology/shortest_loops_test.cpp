@@ -76,7 +76,7 @@ TEST(GreedyLoops, AreClosedWalksFromTheBasepoint) {
     const auto lengths = edge_lengths(mesh);
     for (VertexId basepoint : some_vertices(mesh, 12)) {
       const LoopSystem system = greedy_loops(mesh, basepoint, lengths);
-      ASSERT_EQ(system.loops.size(), static_cast<std::size_t>(2 * genus));
+      ASSERT_EQ(system.loops.size(), 2 * genus);
       double sum = 0, previous = 0;
       for (std::size_t k = 0; k < system.loops.size(); ++k) {
         const EdgeLoop& loop = system.loops[k];

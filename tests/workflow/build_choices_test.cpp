@@ -1,11 +1,11 @@
-#include "foramen/workflow/build_choices.hpp"
+#include "workflow/build_choices.hpp"
 
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "foramen/workflow/label_choices.hpp"
+#include "workflow/label_choices.hpp"
 
 namespace foramen {
 namespace {

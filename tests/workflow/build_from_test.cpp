@@ -1,4 +1,4 @@
-#include "foramen/workflow/build_from.hpp"
+#include "workflow/build_from.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(BuildFrom, TheReferenceMayBeNamedByItsFile) {
   BuildOptions options = baseline();
   options.correspondence.reference = "s2.ply";
   const BuildRecord record = testing::family_build(options);
-  EXPECT_EQ(record.inputs[static_cast<std::size_t>(record.built.registration.reference)].stem, "s2");
+  EXPECT_EQ(record.inputs[record.built.registration.reference].stem, "s2");
 }
 
 TEST(BuildFrom, InputsAreThoseOfTheModelInItsOrder) {

@@ -1,4 +1,4 @@
-#include "foramen/workflow/completion.hpp"
+#include "workflow/completion.hpp"
 
 #include <limits>
 #include <string>

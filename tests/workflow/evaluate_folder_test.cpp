@@ -1,4 +1,4 @@
-#include "foramen/workflow/evaluate_folder.hpp"
+#include "workflow/evaluate_folder.hpp"
 
 #include <filesystem>
 #include <string>
@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
-#include "foramen/modelfiles/corresponding_folder.hpp"
-#include "foramen/modelfiles/metrics_file.hpp"
+#include "modelfiles/corresponding_folder.hpp"
+#include "modelfiles/metrics_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_cohort.hpp"
 

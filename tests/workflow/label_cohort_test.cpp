@@ -6,11 +6,11 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
-#include "foramen/workflow/run_build.hpp"
-#include "foramen/workflow/run_extract.hpp"
 #include "support/label_maps.hpp"
 #include "support/meshes.hpp"
 #include "support/temporary_folder.hpp"
+#include "workflow/run_build.hpp"
+#include "workflow/run_extract.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,4 @@
-#include "foramen/workflow/measure_shapes.hpp"
+#include "workflow/measure_shapes.hpp"
 
 #include <filesystem>
 #include <string>

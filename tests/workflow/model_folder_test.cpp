@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/model_folder.hpp"
+#include "modelfiles/model_folder.hpp"
 
 #include <map>
 
@@ -61,8 +61,7 @@ TEST_P(ModelFolder, TheFileIsRightForReadersThatKnowNoWeights) {
   for (Eigen::Index i = 0; i < file.scores.cols(); ++i) {
     const Eigen::VectorXd shape =
         file.mean + file.basis * file.scores.col(i).cwiseProduct(file.variance.cwiseSqrt());
-    EXPECT_TRUE(shape.isApprox(flattened(made.built.aligned.alignment.aligned[static_cast<std::size_t>(i)]),
-                               single_precision));
+    EXPECT_TRUE(shape.isApprox(flattened(made.built.aligned.alignment.aligned[i]), single_precision));
   }
 }
 

@@ -1,4 +1,4 @@
-#include "foramen/pages/model_page.hpp"
+#include "pages/model_page.hpp"
 
 #include <fstream>
 
@@ -7,12 +7,12 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/report/encoded_array.hpp"
-#include "foramen/report/interactive_page.hpp"
-#include "foramen/workflow/run_build.hpp"
 #include "pages/report_data.hpp"
+#include "report/encoded_array.hpp"
+#include "report/interactive_page.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_family.hpp"
+#include "workflow/run_build.hpp"
 
 namespace foramen {
 namespace {
@@ -100,9 +100,9 @@ TEST_F(ModelPageOf, TheDataAreTheModelAndItsShapes) {
     const auto& shape = data.at("shapes").at(i);
     EXPECT_EQ(shape.at("name"), "s" + std::to_string(i));
     EXPECT_EQ(shape.at("subject"), "s" + std::to_string(i));
-    ASSERT_EQ(shape.at("scores").size(), static_cast<std::size_t>(shape_model.modes()));
+    ASSERT_EQ(shape.at("scores").size(), shape_model.modes());
     for (int m = 0; m < shape_model.modes(); ++m)
-      EXPECT_NEAR(shape.at("scores").at(static_cast<std::size_t>(m)).get<double>(),
+      EXPECT_NEAR(shape.at("scores").at(m).get<double>(),
                   record.loaded.scores(m, static_cast<Eigen::Index>(i)), 1e-6);
   }
   EXPECT_EQ(data.at("left_out").at("rows").at(0).at(0), "broken");

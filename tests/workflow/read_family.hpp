@@ -2,8 +2,8 @@
 /// \file
 /// The family of support/torus_family.hpp as if it had been read from files.
 
-#include "foramen/workflow/build_from.hpp"
 #include "support/torus_family.hpp"
+#include "workflow/build_from.hpp"
 
 namespace foramen::testing {
 

@@ -1,4 +1,4 @@
-#include "foramen/pages/render_model.hpp"
+#include "pages/render_model.hpp"
 
 #include <algorithm>
 
@@ -7,10 +7,10 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/render/render_scene.hpp"
-#include "foramen/workflow/run_build.hpp"
+#include "render/render_scene.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_family.hpp"
+#include "workflow/run_build.hpp"
 
 namespace foramen {
 namespace {

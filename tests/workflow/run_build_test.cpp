@@ -1,4 +1,4 @@
-#include "foramen/workflow/run_build.hpp"
+#include "workflow/run_build.hpp"
 
 #include <filesystem>
 

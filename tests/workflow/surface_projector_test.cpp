@@ -1,4 +1,4 @@
-#include "foramen/workflow/surface_projector.hpp"
+#include "workflow/surface_projector.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,10 +83,9 @@ TEST_F(ProjectSurface, EveryFigureIsThatOfItsDefinition) {
   expect_same_distance(p.representation, surface_distance(surface_tree, mesh_of(p.landmarks)));
   expect_same_distance(p.fit, surface_distance(surface_tree, mesh_of(shape.fit)));
   const TriangleTree fit = mesh_of(shape.fit);
-  ASSERT_EQ(p.residual.size(), static_cast<std::size_t>(surface().vertex_count()));
+  ASSERT_EQ(p.residual.size(), surface().vertex_count());
   for (const VertexId v : surface().vertices())
-    EXPECT_EQ(p.residual[static_cast<std::size_t>(v.index)],
-              std::sqrt(fit.closest(surface().position(v)).squared_distance));
+    EXPECT_EQ(p.residual[v.index], std::sqrt(fit.closest(surface().position(v)).squared_distance));
   ASSERT_EQ(p.fit_residual.size(), shape.fit.size());
   for (std::size_t i = 0; i < shape.fit.size(); ++i)
     EXPECT_EQ(p.fit_residual[i], std::sqrt(surface_tree.closest(shape.fit[i]).squared_distance));

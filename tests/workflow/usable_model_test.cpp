@@ -1,4 +1,4 @@
-#include "foramen/modelfiles/usable_model.hpp"
+#include "modelfiles/usable_model.hpp"
 
 #include <cmath>
 

@@ -86,7 +86,7 @@ class ByteReader {
   std::size_t count() {
     const std::int64_t items = integer();
     FORAMEN_ASSERT(items >= 0 && static_cast<std::uint64_t>(items) <= bytes_.size());
-    return static_cast<std::size_t>(items);
+    return items;
   }
   bool at_end() const { return bytes_.empty(); }
 

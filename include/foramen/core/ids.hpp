@@ -55,15 +55,11 @@ template <class IdType, class T>
 class IdMap {
  public:
   IdMap() = default;
-  explicit IdMap(int count, T value = T()) : values_(static_cast<std::size_t>(count), std::move(value)) {}
+  explicit IdMap(int count, T value = T()) : values_(count, std::move(value)) {}
   explicit IdMap(std::vector<T> values) : values_(std::move(values)) {}
 
-  typename std::vector<T>::reference operator[](IdType id) {
-    return values_[static_cast<std::size_t>(id.index)];
-  }
-  typename std::vector<T>::const_reference operator[](IdType id) const {
-    return values_[static_cast<std::size_t>(id.index)];
-  }
+  typename std::vector<T>::reference operator[](IdType id) { return values_[id.index]; }
+  typename std::vector<T>::const_reference operator[](IdType id) const { return values_[id.index]; }
   int size() const { return static_cast<int>(values_.size()); }
   bool empty() const { return values_.empty(); }
   IdRange<IdType> ids() const { return IdRange<IdType>(size()); }

@@ -43,11 +43,11 @@ class Mesh {
   IdRange<EdgeId> edges() const { return IdRange<EdgeId>(edge_count()); }
   IdRange<HalfedgeId> halfedges() const { return IdRange<HalfedgeId>(halfedge_count()); }
 
-  const Vec3& position(VertexId v) const { return (*positions_)[static_cast<std::size_t>(v.index)]; }
+  const Vec3& position(VertexId v) const { return (*positions_)[v.index]; }
   std::span<const Vec3> positions() const { return *positions_; }
   const std::vector<std::array<int, 3>>& triangles() const { return connectivity_->triangles; }
   std::array<VertexId, 3> corners(FaceId f) const {
-    const auto& t = connectivity_->triangles[static_cast<std::size_t>(f.index)];
+    const auto& t = connectivity_->triangles[f.index];
     return {VertexId(t[0]), VertexId(t[1]), VertexId(t[2])};
   }
   std::array<Vec3, 3> triangle(FaceId f) const {
@@ -59,22 +59,15 @@ class Mesh {
   static HalfedgeId halfedge(FaceId f, int corner) { return HalfedgeId(3 * f.index + corner); }
   static HalfedgeId next(HalfedgeId h) { return HalfedgeId(h.index % 3 == 2 ? h.index - 2 : h.index + 1); }
   static HalfedgeId prev(HalfedgeId h) { return HalfedgeId(h.index % 3 == 0 ? h.index + 2 : h.index - 1); }
-  VertexId from(HalfedgeId h) const {
-    return VertexId(connectivity_->triangles[static_cast<std::size_t>(h.index / 3)]
-                                            [static_cast<std::size_t>(h.index % 3)]);
-  }
+  VertexId from(HalfedgeId h) const { return VertexId(connectivity_->triangles[h.index / 3][h.index % 3]); }
   VertexId to(HalfedgeId h) const { return from(next(h)); }
   /// The opposite halfedge; invalid on the boundary.
-  HalfedgeId twin(HalfedgeId h) const { return connectivity_->twin[static_cast<std::size_t>(h.index)]; }
-  EdgeId edge(HalfedgeId h) const { return connectivity_->halfedge_edge[static_cast<std::size_t>(h.index)]; }
+  HalfedgeId twin(HalfedgeId h) const { return connectivity_->twin[h.index]; }
+  EdgeId edge(HalfedgeId h) const { return connectivity_->halfedge_edge[h.index]; }
   /// One halfedge of the edge (the one of smaller index).
-  HalfedgeId halfedge(EdgeId e) const {
-    return connectivity_->edge_halfedge[static_cast<std::size_t>(e.index)];
-  }
+  HalfedgeId halfedge(EdgeId e) const { return connectivity_->edge_halfedge[e.index]; }
   /// An outgoing halfedge. At a boundary vertex the one from which rotated() reaches all others.
-  HalfedgeId outgoing(VertexId v) const {
-    return connectivity_->vertex_halfedge[static_cast<std::size_t>(v.index)];
-  }
+  HalfedgeId outgoing(VertexId v) const { return connectivity_->vertex_halfedge[v.index]; }
   /// The next outgoing halfedge counter-clockwise about from(h); invalid past the boundary.
   HalfedgeId rotated(HalfedgeId h) const { return twin(prev(h)); }
   /// All outgoing halfedges of v, counter-clockwise. (A boundary vertex has one more neighbour:

@@ -39,7 +39,7 @@ class IndexedPoints {
   /// \param normal_weight  mm per unit of normal difference. >= 0.
   IndexedPoints(std::vector<OrientedPoint> points, double normal_weight);
   const std::vector<OrientedPoint>& points() const { return points_; }
-  const OrientedPoint& operator[](int index) const { return points_[static_cast<std::size_t>(index)]; }
+  const OrientedPoint& operator[](int index) const { return points_[index]; }
   NearPoint nearest(const OrientedPoint& query) const;
   /// The `count` nearest, nearest first (fewer if there are fewer points).
   std::vector<NearPoint> nearest(const OrientedPoint& query, int count) const;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
-#include "foramen/io/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 
 namespace foramen {
 namespace {

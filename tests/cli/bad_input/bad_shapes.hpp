@@ -72,14 +72,14 @@ inline TriangleSoup plate(int holes) {
         for (int side : {0, 1}) {
           if (!solid(x, y, 0)) continue;
           std::array<int, 3> beyond{x, y, 0};
-          beyond[static_cast<std::size_t>(axis)] += 2 * side - 1;
+          beyond[axis] += 2 * side - 1;
           if (solid(beyond[0], beyond[1], beyond[2])) continue;
           std::array<int, 4> quad{};
           for (std::size_t k = 0; k < 4; ++k) {
             std::array<int, 3> at{x, y, 0};
-            at[static_cast<std::size_t>(axis)] += side;
-            at[static_cast<std::size_t>((axis + 1) % 3)] += k == 1 || k == 2 ? 1 : 0;
-            at[static_cast<std::size_t>((axis + 2) % 3)] += k >= 2 ? 1 : 0;
+            at[axis] += side;
+            at[(axis + 1) % 3] += k == 1 || k == 2 ? 1 : 0;
+            at[(axis + 2) % 3] += k >= 2 ? 1 : 0;
             quad[side == 1 ? k : 3 - k] = corner(at);
           }
           soup.triangles.push_back({quad[0], quad[1], quad[2]});
@@ -156,10 +156,7 @@ inline std::vector<std::pair<std::string, std::pair<TriangleSoup, std::string>>>
           Soup apart;
           for (const auto& t : ring().triangles)
             apart = beside(std::move(apart),
-                           {{ring().points[static_cast<std::size_t>(t[0])],
-                             ring().points[static_cast<std::size_t>(t[1])],
-                             ring().points[static_cast<std::size_t>(t[2])]},
-                            {{0, 1, 2}}},
+                           {{ring().points[t[0]], ring().points[t[1]], ring().points[t[2]]}, {{0, 1, 2}}},
                            Vec3::Zero());
           return apart;
         }(),

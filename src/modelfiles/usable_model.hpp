@@ -8,8 +8,8 @@
 
 #include "foramen/correspond/mean_registrar.hpp"
 #include "foramen/evaluate/generalization.hpp"
-#include "foramen/modelfiles/atlas_file.hpp"
-#include "foramen/modelfiles/model_folder.hpp"
+#include "modelfiles/atlas_file.hpp"
+#include "modelfiles/model_folder.hpp"
 
 namespace foramen {
 

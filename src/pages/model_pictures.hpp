@@ -10,8 +10,8 @@
 
 #include "foramen/evaluate/error_map.hpp"
 #include "foramen/model/shape_model.hpp"
-#include "foramen/modelfiles/atlas_file.hpp"
-#include "foramen/report/report_page.hpp"
+#include "modelfiles/atlas_file.hpp"
+#include "report/report_page.hpp"
 
 namespace foramen {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "foramen/inputs/read_cohort.hpp"
+#include "inputs/read_cohort.hpp"
 
 namespace foramen {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "extract/label_names.hpp"
+#include "extract/label_selection.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/extract/extract_label.hpp"
-#include "foramen/extract/label_names.hpp"
-#include "foramen/extract/label_selection.hpp"
 
 namespace foramen {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "foramen/report/svg_chart.hpp"
+#include "report/svg_chart.hpp"
 
 namespace foramen {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/stages/build_model.hpp"
+#include "inputs/read_cohort.hpp"
 
 namespace foramen {
 

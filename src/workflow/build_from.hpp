@@ -2,7 +2,7 @@
 /// \file
 /// The stages on the surfaces of a cohort that was read.
 
-#include "foramen/modelfiles/build_record.hpp"
+#include "modelfiles/build_record.hpp"
 
 namespace foramen {
 

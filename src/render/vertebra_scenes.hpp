@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "foramen/render/render_scene.hpp"
+#include "render/render_scene.hpp"
 
 namespace foramen {
 

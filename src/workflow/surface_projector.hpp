@@ -10,8 +10,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "foramen/apply/project_shape.hpp"
-#include "foramen/modelfiles/usable_model.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "modelfiles/usable_model.hpp"
 
 namespace foramen {
 

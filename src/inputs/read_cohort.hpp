@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "extract/extract_labels.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/core/units.hpp"
-#include "foramen/extract/extract_labels.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/repair/repair_mesh.hpp"
 

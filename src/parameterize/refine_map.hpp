@@ -3,7 +3,7 @@
 /// From the map of the working mesh to a map of the input mesh.
 
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/simplify/working_mesh.hpp"
+#include "simplify/working_mesh.hpp"
 
 namespace foramen {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "foramen/render/render_scene.hpp"
+#include "render/render_scene.hpp"
 
 namespace foramen {
 

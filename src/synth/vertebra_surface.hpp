@@ -3,7 +3,7 @@
 /// The template of the synthetic cohorts: a lumbar vertebra as an implicit surface.
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/synth/isosurface.hpp"
+#include "synth/isosurface.hpp"
 
 namespace foramen {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/inputs/read_cohort.hpp"
 #include "foramen/stages/build_model.hpp"
+#include "inputs/read_cohort.hpp"
 
 namespace foramen {
 

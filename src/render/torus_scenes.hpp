@@ -5,7 +5,7 @@
 #include <array>
 
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/render/render_scene.hpp"
+#include "render/render_scene.hpp"
 
 namespace foramen {
 

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "foramen/io/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 
 namespace foramen {
 

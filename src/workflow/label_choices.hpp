@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "extract/extract_labels.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/extract/extract_labels.hpp"
 
 namespace foramen {
 

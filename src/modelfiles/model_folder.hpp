@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/modelfiles/build_record.hpp"
+#include "modelfiles/build_record.hpp"
 
 namespace foramen {
 
