@@ -2,9 +2,10 @@
 /// \file
 /// Distortion measured on the template in place of the flat torus.
 
-#include "foramen/correspond/template_surface.hpp"
-#include "foramen/parameterize/optimise_map.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
+#include "correspond/template_surface.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
 

@@ -3,6 +3,7 @@
 /// Node-wise descent, the paper's way: every node in turn moves inside the kernel of its one-ring.
 
 #include "parameterize/newton.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "foramen/core/shape.hpp"
-#include "foramen/correspond/register_group.hpp"
-#include "foramen/correspond/register_shape.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/match/align.hpp"
 
 namespace foramen {
 
@@ -72,12 +74,6 @@ struct ShapeRegistration {
 /// A shape that failed a check, and why.
 struct FailedShape {
   std::string name, reason;
-};
-
-/// What a further shape is registered to.
-struct RegistrationFrame {
-  Reference reference;  ///< with the map it ended with
-  GroupTemplate group;  ///< of Objective::surface
 };
 
 /// A finished correspondence without the maps.

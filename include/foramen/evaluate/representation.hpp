@@ -6,10 +6,16 @@
 
 #include "foramen/core/run_context.hpp"
 #include "foramen/evaluate/cohort.hpp"
-#include "foramen/evaluate/error_map.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
 namespace foramen {
+
+/// Where on a shape its corresponding mesh departs from the input surface.
+struct ErrorMap {
+  std::vector<double> landmark_mm;  ///< per landmark: the largest distance found in its surroundings, mm
+  std::vector<int> plain_flips;     ///< triangles, as SampledFlips, in order
+  std::vector<int> confirmed_flips;
+};
 
 struct ShapeRepresentation {
   SurfaceDistance distance;    ///< corresponding mesh to original input, in the input's own size, mm

@@ -34,4 +34,16 @@ struct Specificity {
 Specificity specificity(const AlignedCohort& cohort, int last_mode, const SpecificityOptions& options,
                         const RunContext& ctx);
 
+struct EnsembleAtModes {
+  int modes = 0;
+  Estimate generalization;  ///< over training shapes: smallest Hausdorff distance to a draw, mm. In-sample:
+                            ///< the model has seen them.
+  Estimate specificity;     ///< over draws: smallest Hausdorff distance to a training shape, mm
+};
+
+/// Our reading of "we sampled 1000 normally distributed model instances and compared them to the training set
+/// using the Hausdorff metric" \cite becker2011. \pre the specificity was computed with its Hausdorff
+/// distances
+std::vector<EnsembleAtModes> ensemble_form(const Specificity& specificity);
+
 }  // namespace foramen

@@ -7,6 +7,7 @@
 
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {
@@ -29,25 +30,6 @@ class CorrespondenceObjective {
 struct TargetMetric {
   FaceMap<Mat2> to_target;  ///< per face of the surface: plane vector -> mm in a tangent plane; det > 0
   double area = 0;          ///< of the target, mm^2
-};
-
-enum class Optimiser {
-  newton,         ///< projected Newton over all vertices at once
-  polak_ribiere,  ///< the paper's node-wise conjugate gradients
-};
-template <>
-struct EnumWords<Optimiser> {
-  static constexpr std::pair<std::string_view, Optimiser> all[] = {
-      {"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}};
-};
-/// How triangles and vertices are weighted: `area`: by their share of the surface (an area-weighted mean,
-/// independent of the triangulation); `each`: sum over vertices of E_cor + lambda sum over triangles of E,
-/// the paper's form (eq. 4).
-enum class Weighting { area, each };
-template <>
-struct EnumWords<Weighting> {
-  static constexpr std::pair<std::string_view, Weighting> all[] = {{"area", Weighting::area},
-                                                                   {"each", Weighting::each}};
 };
 
 struct OptimiseMapOptions {

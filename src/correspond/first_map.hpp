@@ -2,22 +2,14 @@
 /// \file
 /// A shape's first map to the torus, in the reference's basis of loops and in its place.
 
+#include "correspond/propagate_loops.hpp"
+#include "correspond/transfer_homology.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/propagate_loops.hpp"
-#include "foramen/correspond/transfer_homology.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {
-
-enum class InitialMap {
-  torus,      ///< harmonic, over the whole torus at once
-  rectangle,  ///< the paper's: cut open along the loops, borders held on a square
-};
-template <>
-struct EnumWords<InitialMap> {
-  static constexpr std::pair<std::string_view, InitialMap> all[] = {{"torus", InitialMap::torus},
-                                                                    {"rectangle", InitialMap::rectangle}};
-};
 
 struct FirstMap {
   TorusMap map;              ///< unit lattice, without flipped triangles

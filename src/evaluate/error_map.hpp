@@ -4,15 +4,10 @@
 
 #include <vector>
 
-#include "foramen/spatial/flips.hpp"
+#include "foramen/evaluate/representation.hpp"
+#include "spatial/flips.hpp"
 
 namespace foramen {
-
-struct ErrorMap {
-  std::vector<double> landmark_mm;  ///< per landmark: the largest distance found in its surroundings, mm
-  std::vector<int> plain_flips;     ///< triangles, as SampledFlips, in order
-  std::vector<int> confirmed_flips;
-};
 
 /// Distances both ways: of each vertex of the input to the corresponding mesh, counted for the landmark whose
 /// barycentric coordinate is largest at the closest point; of each landmark, and of the middle of each

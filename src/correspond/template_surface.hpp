@@ -3,15 +3,10 @@
 /// The surface that shapes are registered to, with its map to the torus they all share.
 
 #include "foramen/core/surface_point.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {
-
-/// A reference, or the mean of a cohort.
-struct TemplateSurface {
-  Mesh mesh;     ///< mm
-  TorusMap map;  ///< of this mesh, without flipped triangles
-};
 
 /// The template's first fundamental form in the plane of its map, per vertex: a small motion dx in the plane
 /// moves by \f$ \sqrt{dx^T G\, dx} \f$ mm on the template. The area-weighted mean over the triangles at each
