@@ -71,7 +71,8 @@ struct ShapeRegistration {
 
 /// A shape that failed a check, and why.
 struct FailedShape {
-  std::string name, reason;
+  std::string name;
+  Message reason;
 };
 
 /// What a further shape is registered to.

@@ -115,7 +115,7 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
 
 struct GroupMember {
   std::optional<RegisteredShape> registered;  ///< unset: left out
-  std::string failure;                        ///< why
+  Message failure;                            ///< why; no text if it is registered
   double seconds = 0;                         ///< of this shape alone
 };
 
