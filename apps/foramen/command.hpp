@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
 #include "run_record.hpp"
 
@@ -34,6 +35,8 @@ struct Console {
   void say(const std::string& line) const;
   /// A warning: always shown unless quiet.
   void warn(const std::string& line) const;
+  /// The same with the flags for its remedies.
+  void warn(const Message& message) const;
 };
 
 /// An option whose value is one of these words, in any case. It keeps the word (a CLI11 transformer of values

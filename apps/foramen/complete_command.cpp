@@ -38,9 +38,9 @@ Part read_part(const fs::path& file, LengthUnit unit) {
   try {
     return {usable_part(read.soup), read.space.value_or(AnatomicalSpace::lps)};
   } catch (const TopologyError& e) {
-    throw TopologyError(file.string() + ": " + e.what());
+    throw TopologyError(message_of(e).about(file.string()));
   } catch (const InvalidInput& e) {
-    throw InvalidInput(file.string() + ": " + e.what());
+    throw InvalidInput(message_of(e).about(file.string()));
   }
 }
 

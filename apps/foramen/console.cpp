@@ -8,6 +8,7 @@
 
 #include "command.hpp"
 #include "progress_bar.hpp"
+#include "remedy_words.hpp"
 
 namespace foramen::app {
 namespace {
@@ -91,6 +92,8 @@ void Console::warn(const std::string& line) const {
   reporter_of(*this).record().warning(line);
   if (!quiet && record.events != "-") std::cerr << "warning: " << line << '\n';
 }
+
+void Console::warn(const Message& message) const { warn(worded(message)); }
 
 void add_console_options(CLI::App& command, Console& console) {
   command.add_option("--threads", console.threads, "threads to use (0: all)")->check(CLI::Range(0, 1024));

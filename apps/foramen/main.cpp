@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "foramen/core/error.hpp"
 #include "modelfiles/version.hpp"
+#include "remedy_words.hpp"
 
 namespace {
 
@@ -50,7 +51,7 @@ int run_program(int argc, char** argv) {
   return code;
 }
 
-int fail(const char* what, ExitCode code) {
+int fail(const std::string& what, ExitCode code) {
   end_run(code, what);
   std::cerr << "foramen: " << what << '\n';
   return code;
@@ -67,10 +68,10 @@ int main(int argc, char** argv) {
   } catch (const Cancelled&) {
     return fail("stopped; nothing was left half-written", ExitCode::cancelled);
   } catch (const ConvergenceError& e) {
-    return fail(e.what(), ExitCode::not_converged);
+    return fail(worded(e), ExitCode::not_converged);
   } catch (const std::bad_alloc&) {
     return fail("out of memory", ExitCode::refused);
   } catch (const std::exception& e) {
-    return fail(e.what(), ExitCode::refused);
+    return fail(worded(e), ExitCode::refused);
   }
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -31,7 +32,7 @@ struct ProjectCommand {
 // What became of one surface.
 struct Projected {
   InputShape input;
-  std::string failure;  // empty: none
+  std::optional<Message> failure;
   Projection projection;
 };
 
@@ -67,10 +68,10 @@ void write_meshes(const Projected& p, const UsableModel& model, const ProjectCom
 
 ordered_json record(const Projected& p) {
   ordered_json json{{"shape", p.input.stem}, {"file", p.input.file_name}, {"sha256", p.input.sha256}};
-  if (p.failure.empty())
+  if (!p.failure)
     json.update(projection_json(p.projection));
   else
-    json["failure"] = p.failure;
+    json["failure"] = p.failure->text;
   return json;
 }
 
@@ -93,7 +94,7 @@ void write_scores(const fs::path& path, const std::vector<Projected>& all, int m
   for (int m = 0; m < modes; ++m) header.push_back("mode" + std::to_string(m + 1));
   std::vector<Row> rows;
   for (const Projected& p : all) {
-    if (!p.failure.empty()) continue;
+    if (p.failure) continue;
     Row row{p.input.stem};
     for (const double score : p.projection.shape.scores) row.emplace_back(score);
     rows.push_back(std::move(row));
@@ -118,7 +119,7 @@ int project(const ProjectCommand& command) {
     } catch (const Error& e) {
       all[k].input.stem = files[k].stem().string();
       all[k].input.file_name = files[k].filename().string();
-      all[k].failure = e.what();
+      all[k].failure = message_of(e);
     }
     ctx.step("project", static_cast<double>(++done) / static_cast<double>(files.size()));
   });
@@ -128,12 +129,12 @@ int project(const ProjectCommand& command) {
   bool failed = false;
   for (const Projected& p : all) {
     records.push_back(record(p));
-    if (p.failure.empty()) {
+    if (!p.failure) {
       write_meshes(p, projector.model(), command);
       command.console.say(line(p.input.stem, p.projection));
     } else {
       failed = true;
-      command.console.warn(p.input.file_name + ": " + p.failure);
+      command.console.warn(p.failure->about(p.input.file_name));
     }
   }
   write_scores(fs::path(command.output) / "scores.csv", all, projector.model().aligned.model.modes());

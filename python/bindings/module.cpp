@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "modelfiles/version.hpp"
+#include "remedy_words.hpp"
 
 namespace foramen::python {
 
@@ -143,6 +144,24 @@ void add_errors(py::module_& module) {
   py::register_exception<IoError>(module, "IoError", base);
   const auto invalid = py::register_exception<InvalidInput>(module, "InvalidInput", base);
   py::register_exception<TopologyError>(module, "TopologyError", invalid);
+  // Asked before the others: an error with remedies goes on to them with the keywords in its text.
+  py::register_exception_translator([](std::exception_ptr error) {
+    try {
+      std::rethrow_exception(std::move(error));
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const TopologyError& e) {
+      throw TopologyError(worded(message_of(e)));
+    } catch (const InvalidInput& e) {
+      throw InvalidInput(worded(message_of(e)));
+    } catch (const IoError& e) {
+      throw IoError(worded(message_of(e)));
+    } catch (const ConvergenceError& e) {
+      throw ConvergenceError(worded(message_of(e)));
+    } catch (const Error& e) {
+      throw Error(worded(message_of(e)));
+    }
+  });
 }
 
 }  // namespace foramen::python

@@ -12,6 +12,7 @@
 #include "options.hpp"
 #include "pages/model_page.hpp"
 #include "pages/render_model.hpp"
+#include "remedy_words.hpp"
 #include "workflow/build_choices.hpp"
 #include "workflow/evaluate_folder.hpp"
 #include "workflow/label_choices.hpp"
@@ -212,7 +213,9 @@ py::tuple convert_files(const std::string& input, const std::string& output, con
   request.command = command.text();
   ConvertSummary summary;
   run_unlocked(threads, progress, [&](const RunContext& ctx) { summary = foramen::convert(request, ctx); });
-  return py::make_tuple(summary.files, summary.shapes, summary.landmarks, summary.notes);
+  std::vector<std::string> notes;
+  for (const Message& note : summary.notes) notes.push_back(worded(note));
+  return py::make_tuple(summary.files, summary.shapes, summary.landmarks, notes);
 }
 
 std::string render(const std::string& model, const std::string& output, const std::string& baseline,

@@ -12,6 +12,7 @@
 #include "inputs/read_cohort.hpp"
 #include "modelfiles/usable_model.hpp"
 #include "options.hpp"
+#include "remedy_words.hpp"
 #include "workflow/build_choices.hpp"
 
 namespace foramen::python {
@@ -28,7 +29,7 @@ GivenShapes given_shapes(const std::vector<std::string>& names, const std::vecto
                          int threads, const py::object& progress) {
   struct Audited {
     Mesh mesh;
-    std::string refusal;
+    Message refusal;
   };
   std::vector<TriangleSoup> soups;
   for (std::size_t i = 0; i < names.size(); ++i) soups.push_back(soup_of(points[i], triangles[i]));
@@ -39,13 +40,13 @@ GivenShapes given_shapes(const std::vector<std::string>& names, const std::vecto
       try {
         shape.mesh = usable_shape({}, std::move(soups[i]), LengthUnit::millimetre).mesh;
       } catch (const InvalidInput& e) {
-        shape.refusal = e.what();
+        shape.refusal = message_of(e);
       }
     });
   });
   GivenShapes given;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (audited[i].refusal.empty()) {
+    if (audited[i].refusal.text.empty()) {
       given.shapes.push_back({names[i], std::move(audited[i].mesh)});
       given.spaces.push_back(space_of(spaces[i]));
     } else {
@@ -61,16 +62,16 @@ auto with_refused(const GivenShapes& given, const Stage& stage) {
   try {
     return stage();
   } catch (const TooFewShapes& e) {
-    std::string message = e.what();
+    Message message = message_of(e);
     for (const FailedShape& shape : given.refused)
-      message += "\n  left out " + shape.name + ": " + shape.reason;
+      message.append(shape.reason.about("\n  left out " + shape.name));
     throw TooFewShapes(message);
   }
 }
 
 py::list failures(const std::vector<FailedShape>& shapes) {
   py::list list;
-  for (const FailedShape& shape : shapes) list.append(py::make_tuple(shape.name, shape.reason));
+  for (const FailedShape& shape : shapes) list.append(py::make_tuple(shape.name, worded(shape.reason)));
   return list;
 }
 

@@ -37,9 +37,9 @@ double median(std::vector<double> values) {
 
 void require_enough(std::size_t usable, std::span<const FailedShape> failed) {
   if (usable >= fewest_shapes) return;
-  std::string message = "a model needs at least " + std::to_string(fewest_shapes) + " usable shapes, found " +
-                        std::to_string(usable);
-  for (const FailedShape& shape : failed) message += "\n  left out " + shape.name + ": " + shape.reason;
+  Message message("a model needs at least " + std::to_string(fewest_shapes) + " usable shapes, found " +
+                  std::to_string(usable));
+  for (const FailedShape& shape : failed) message.append(shape.reason.about("\n  left out " + shape.name));
   throw TooFewShapes(message);
 }
 
@@ -73,11 +73,11 @@ MappedReference map_first_reference(std::span<const Shape> shapes, const Corresp
       found.shape = candidate;
       return found;
     } catch (const ConvergenceError& e) {
-      found.refused.push_back({shape.name, e.what()});
+      found.refused.push_back({shape.name, message_of(e)});
     }
   }
   const FailedShape& last = found.refused.back();
-  throw ConvergenceError(last.name + " cannot be the reference: " + last.reason);
+  throw ConvergenceError(last.reason.about(last.name + " cannot be the reference"));
 }
 
 RegisteredShape reference_itself(const Reference& reference) {
@@ -123,7 +123,7 @@ GroupRegistration register_each(std::span<const Shape> shapes, const MappedRefer
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      member.failure = e.what();
+      member.failure = message_of(e);
     }
     member.seconds = seconds_since(start);
     ctx.step("register", static_cast<double>(++done) / static_cast<double>(shapes.size()), shape.name);
@@ -189,11 +189,12 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
   return_freed_memory();
   const double reference_seconds = seconds_since(start);
   GroupRegistration group = register_all(shapes, mapped, options, ctx);
-  const std::string& reference_failure = group.members[mapped.shape].failure;
-  if (!reference_failure.empty())
+  const Message& reference_failure = group.members[mapped.shape].failure;
+  if (!reference_failure.text.empty())
     throw ConvergenceError("the reference " + shapes[mapped.shape].name +
-                           " cannot be registered with the mean of all shapes (" + reference_failure +
-                           "); name another reference");
+                               " cannot be registered with the mean of all shapes (" +
+                               reference_failure.text + "); name another reference",
+                           reference_failure.remedies);
 
   Correspondence result;
   CohortRegistration& cohort = result.registration;

@@ -121,7 +121,8 @@ class GroupRegistrar {
     if (options_.description_rounds > 0) describe(*last);
     advance_each_member("finish", finished, [&](int i) { steps_.finish(members_[i], *last); });
     for (std::size_t i = 0; i < members_.size(); ++i)
-      if (result_.members[i].failure.empty()) result_.members[i].registered = std::move(members_[i].result);
+      if (result_.members[i].failure.text.empty())
+        result_.members[i].registered = std::move(members_[i].result);
     return std::move(result_);
   }
 
@@ -131,14 +132,14 @@ class GroupRegistrar {
     std::atomic<int> done{0};
     parallel_for(static_cast<int>(members_.size()), ctx_, [&](int i) {
       GroupMember& member = result_.members[i];
-      if (!member.failure.empty()) return;
+      if (!member.failure.text.empty()) return;
       const auto start = std::chrono::steady_clock::now();
       try {
         body(i);
       } catch (const Cancelled&) {
         throw;
       } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-        member.failure = e.what();
+        member.failure = message_of(e);
       }
       member.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       const int finished = ++done;
@@ -192,7 +193,7 @@ class GroupRegistrar {
   std::vector<Member*> present() {
     std::vector<Member*> in;
     for (std::size_t i = 0; i < members_.size(); ++i)
-      if (result_.members[i].failure.empty()) in.push_back(&members_[i]);
+      if (result_.members[i].failure.text.empty()) in.push_back(&members_[i]);
     return in;
   }
 

@@ -12,7 +12,7 @@
 #include "correspond/mean_template.hpp"
 #include "correspond/register_shape.hpp"
 #include "correspond/surface_targets.hpp"
-#include "foramen/core/options.hpp"
+#include "foramen/core/remedy.hpp"
 #include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "match/deform_template.hpp"
@@ -22,7 +22,7 @@ namespace foramen {
 
 struct GroupMember {
   std::optional<RegisteredShape> registered;  ///< unset: left out
-  std::string failure;                        ///< why
+  Message failure;                            ///< why; no text if it is registered
   double seconds = 0;                         ///< of this shape alone
 };
 

@@ -29,8 +29,9 @@ ExchangeFormat format_of(const ConvertRequest& request) {
   for (const Ending& ending : endings)
     if (extension == ending.text) return ending.format;
   if (extension == ".ply" || extension == ".vtp")
-    throw InvalidInput(request.output.string() +
-                       ": meshes go into a folder, one a shape; name it, with --to " + extension.substr(1));
+    throw InvalidInput(
+        request.output.string() + ": meshes go into a folder, one a shape; name it, and the format",
+        {{RemedyKind::choose_format, extension.substr(1)}});
   return ExchangeFormat::ply;
 }
 

@@ -58,7 +58,7 @@ struct ConvertRequest {
 struct ConvertSummary {
   ExchangeFormat format;
   std::size_t shapes = 0, landmarks = 0, files = 0;
-  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  std::vector<Message> notes;  ///< what the user should know though it is no error
 };
 
 /// Reads all, then writes; each file whole or not at all, and what names others last. Shapes stay in their

@@ -19,7 +19,7 @@ struct ExchangeSet {
   std::vector<std::array<int, 3>> triangles;    ///< empty: points alone
   std::vector<Eigen::Matrix4d> to_common = {};  ///< one a shape, into common coordinates; empty: not known
   std::optional<StatismoModel> model = std::nullopt;
-  std::vector<std::string> notes = {};
+  std::vector<Message> notes = {};
 };
 
 /// Everything that `request.input` holds. Throws InvalidInput, IoError.

@@ -148,7 +148,7 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
   const std::string extension = input.extension().string();
   if (extension == ".h5" || extension == ".json") {
     if (request.unit != LengthUnit::millimetre)
-      throw InvalidInput(input.string() + ": a model is in mm; leave --units out");
+      throw InvalidInput(input.string() + ": a model is in mm; give no unit", {{RemedyKind::leave_unit_out}});
     ExchangeSet set = read_model_file(input);
     add_training_shapes(set);
     return set;
@@ -174,7 +174,8 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
 void add_triangles(ExchangeSet& set, const fs::path& mesh) {
   TriangleSoup soup = read_mesh(mesh).soup;
   if (!set.triangles.empty() || set.shapes.empty())
-    throw InvalidInput(mesh.string() + ": the input has its own triangles; leave --triangles out");
+    throw InvalidInput(mesh.string() + ": the input has its own triangles; give no mesh for them",
+                       {{RemedyKind::leave_triangles_out}});
   if (soup.points.size() != set.shapes.front().size())
     throw InvalidInput(mesh.string() + ": has " + std::to_string(soup.points.size()) +
                        " vertices, the shapes have " + std::to_string(set.shapes.front().size()) +
@@ -212,9 +213,9 @@ void note_sizes(ExchangeSet& set) {
   }
   if (odd > 0)
     set.notes.push_back(
-        std::to_string(odd) + " of " + std::to_string(set.shapes.size()) +
-        " shapes are not the size of a vertebra in mm; if the input has another unit, give it with "
-        "--units");
+        {std::to_string(odd) + " of " + std::to_string(set.shapes.size()) +
+             " shapes are not the size of a vertebra in mm; if the input has another unit, give it",
+         {{RemedyKind::give_unit}}});
 }
 
 }  // namespace

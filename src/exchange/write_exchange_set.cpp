@@ -25,8 +25,8 @@ void require_shapes(const ExchangeSet& set, const ConvertRequest& request) {
 
 void require_triangles(const std::vector<std::array<int, 3>>& triangles) {
   if (triangles.empty())
-    throw InvalidInput(
-        "the input holds points without triangles; give a mesh whose vertices they are with --triangles");
+    throw InvalidInput("the input holds points without triangles; give a mesh whose vertices they are",
+                       {{RemedyKind::give_triangles}});
 }
 
 std::vector<NamedPoints> named_points(const ExchangeSet& set) {

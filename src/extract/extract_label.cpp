@@ -44,7 +44,8 @@ Reading best_reading(const BinaryVolume& voxels, bool keep_cut) {
     std::string sides;
     for (const std::string& side : joined.cleaning.cut_at) sides += (sides.empty() ? "" : ", ") + side;
     throw InvalidInput("it reaches the border of the label map (" + sides +
-                       "), so the vertebra is cut off; leave it out, or take it as it is with --keep-cut");
+                           "), so the vertebra is cut off; do without it, or take it as it is",
+                       {{RemedyKind::keep_cut}});
   }
   if (joined.genus == 1) return joined;
   Reading apart = read_voxels(voxels, EdgeContact::apart);

@@ -9,6 +9,7 @@
 
 #include "extract/label_names.hpp"
 #include "extract/label_selection.hpp"
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/extract/extract_label.hpp"
 
@@ -31,7 +32,7 @@ struct LabelSurface {
 struct RefusedLabel {
   int label = 0;
   std::string name, stem;
-  std::string reason;
+  Message reason;
   bool absent = false;  ///< named singly and not in the label map
 };
 
@@ -39,7 +40,7 @@ struct LabelSurfaces {
   std::string sha256;                  ///< of the label map, see LabelMap
   std::vector<LabelSurface> surfaces;  ///< in order of label
   std::vector<RefusedLabel> refused;   ///< the same
-  std::vector<std::string> notes;      ///< what the user should know though it is no error
+  std::vector<Message> notes;          ///< what the user should know though it is no error
 };
 
 /// Reads the label map and extracts its labels in parallel. A wanted label that is absent is noted if it

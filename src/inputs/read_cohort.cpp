@@ -72,16 +72,16 @@ std::string millimetres(double value) {
 void require_plausible_size(double diagonal, LengthUnit unit, bool unit_is_known) {
   const double mm = diagonal * millimetres_per(unit);
   if (mm >= smallest_diagonal_mm && mm <= largest_diagonal_mm) return;
-  std::string message =
-      "the bounding box has a diagonal of " + millimetres(mm) + " mm; a vertebra has 20 to 250 mm";
+  Message message("the bounding box has a diagonal of " + millimetres(mm) +
+                  " mm; a vertebra has 20 to 250 mm");
   if (unit_is_known)
-    message += ": a part of one, or more than one";
+    message.text += ": a part of one, or more than one";
   else if (const auto likely = likely_unit(diagonal))
-    message += ": the file is probably in " + std::string(name(*likely)) + ", give --units " +
-               std::string(name(*likely));
+    message.append({": the file is probably in " + std::string(name(*likely)) + ", give this unit",
+                    {{RemedyKind::give_unit, std::string(name(*likely))}}});
   else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm &&
            diagonal <= largest_diagonal_mm)
-    message += ": the file is probably in mm, leave --units out";
+    message.append({": the file is probably in mm, give no unit", {{RemedyKind::leave_unit_out}}});
   throw InvalidInput(message);
 }
 
@@ -148,7 +148,7 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{file.stem().string(), file.filename().string(), {}, e.what()};
+      result = LeftOut{file.stem().string(), file.filename().string(), {}, message_of(e)};
     }
   });
   for (auto& result : results) {
@@ -180,12 +180,12 @@ class LabelMapReader {
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      cohort_.left_out.push_back({label_map_stem(file), name, {}, e.what()});
+      cohort_.left_out.push_back({label_map_stem(file), name, {}, message_of(e)});
       return;
     }
     for (const RefusedLabel& refused : labels.refused) {
       cohort_.left_out.push_back({refused.stem, name, labels.sha256, refused.reason, refused.label});
-      if (refused.absent) absent_.emplace(refused.label, file.string() + ": " + refused.reason);
+      if (refused.absent) absent_.emplace(refused.label, refused.reason.about(file.string()));
     }
     for (LabelSurface& label : labels.surfaces) {
       present_.insert(label.label);
@@ -199,7 +199,7 @@ class LabelMapReader {
   // A label that was named singly and is nowhere is a mistake of the command.
   void require_singles() const {
     for (const auto& [label, reason] : absent_)
-      if (!present_.contains(label)) throw InvalidInput("--labels " + std::to_string(label) + ": " + reason);
+      if (!present_.contains(label)) throw InvalidInput(reason.about("label " + std::to_string(label)));
   }
 
  private:
@@ -215,14 +215,14 @@ class LabelMapReader {
       cohort_.shapes.push_back(usable_shape(std::move(shape), std::move(label.extracted.surface),
                                             LengthUnit::millimetre, repair_, ctx));
     } catch (const InvalidInput& e) {
-      cohort_.left_out.push_back({label.stem, file_name, sha256, e.what(), label.label});
+      cohort_.left_out.push_back({label.stem, file_name, sha256, message_of(e), label.label});
     }
   }
 
   const LabelRequest& request_;
   const std::optional<RepairOptions> repair_;
   Cohort& cohort_;
-  std::map<int, std::string> absent_;
+  std::map<int, Message> absent_;
   std::set<int> present_;
 };
 
@@ -258,7 +258,7 @@ InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
                         const std::optional<RepairOptions>& repair, const RunContext& ctx) {
   const MeshReport report = inspect_mesh(surface);
   if (const auto obstacle = obstacle_to_model(report)) {
-    if (!repair) throw TopologyError(obstacle->finding + "; " + obstacle->remedy);
+    if (!repair) throw TopologyError(obstacle->message());
     RepairedMesh repaired = repair_surface(std::move(surface), unit, *repair, ctx);
     shape.repair = std::move(repaired.report);
     shape.mesh = std::move(repaired.mesh);
@@ -282,9 +282,9 @@ InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional
   try {
     return usable_shape(std::move(shape), std::move(read.soup), unit, repair, ctx);
   } catch (const TopologyError& e) {
-    throw TopologyError(file.string() + ": " + e.what());
+    throw TopologyError(message_of(e).about(file.string()));
   } catch (const InvalidInput& e) {
-    throw InvalidInput(file.string() + ": " + e.what());
+    throw InvalidInput(message_of(e).about(file.string()));
   }
 }
 

@@ -33,7 +33,7 @@ struct InputShape {
 /// A shape that takes no part, and why.
 struct LeftOut {
   std::string stem, file_name, sha256;
-  std::string reason;                       ///< finding and remedy
+  Message reason;                           ///< what was found and what to do
   std::optional<int> label = std::nullopt;  ///< of a label map; unset also for a whole label map
 };
 
@@ -44,7 +44,7 @@ std::string source_of(const LeftOut& shape);
 struct Cohort {
   std::vector<InputShape> shapes;  ///< in order of stem
   std::vector<LeftOut> left_out;
-  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  std::vector<Message> notes;  ///< what the user should know though it is no error
 };
 
 /// The mesh files meant by files and folders (a folder means the mesh files directly in it), in order of

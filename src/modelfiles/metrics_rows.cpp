@@ -55,7 +55,8 @@ class ShapeFigures {
     const auto found = figures_.find({measure, std::to_string(modes), shape});
     if (found == figures_.end())
       throw IoError(file_ + ": holds no " + measure + " of " + shape + " at " + std::to_string(modes) +
-                    " modes, as metrics.json beside it says; `foramen evaluate -o` writes both anew");
+                        " modes, as metrics.json beside it says; an evaluation of the model writes both anew",
+                    {{RemedyKind::evaluate_model}});
     return found->second;
   }
   void fill(Generalization& generalization, const std::string& measure,

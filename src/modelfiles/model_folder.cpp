@@ -75,7 +75,8 @@ std::string build_time() {
 
 LoadedModel load_model(const fs::path& path) {
   const fs::path file = fs::is_directory(path) ? path / "model.h5" : path;
-  if (!fs::exists(file)) throw IoError(file.string() + ": there is no such model; `foramen build` makes one");
+  if (!fs::exists(file))
+    throw IoError(file.string() + ": there is no such model; build it", {{RemedyKind::build_model}});
   StatismoModel read = read_statismo(file);
   LoadedModel loaded;
   for (const std::string& uri : read.shape_uris) loaded.names.push_back(fs::path(uri).stem().string());

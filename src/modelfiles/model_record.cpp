@@ -13,7 +13,9 @@ namespace fs = std::filesystem;
 
 nlohmann::ordered_json read_run(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw IoError(file.string() + ": cannot be read; `foramen build` writes it");
+  if (!in)
+    throw IoError(file.string() + ": cannot be read; the build of a model writes it",
+                  {{RemedyKind::build_model}});
   try {
     return nlohmann::ordered_json::parse(in);
   } catch (const nlohmann::json::exception& e) {

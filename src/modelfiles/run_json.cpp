@@ -142,7 +142,7 @@ ordered_json run_json(const RunDescription& asked, const BuildRecord& record, co
   ordered_json shapes = ordered_json::array();
   for (std::size_t i = 0; i < record.inputs.size(); ++i) shapes.push_back(shape_json(record, i, evaluation));
   for (const LeftOut& shape : record.left_out)
-    shapes.push_back({{"name", shape.stem}, {"status", "left out"}, {"reason", shape.reason}});
+    shapes.push_back({{"name", shape.stem}, {"status", "left out"}, {"reason", shape.reason.text}});
   ordered_json options = options_json(asked.build);
   const bool from_labels = std::any_of(record.inputs.begin(), record.inputs.end(),
                                        [](const InputShape& input) { return input.label.has_value(); });

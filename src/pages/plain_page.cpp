@@ -21,10 +21,11 @@ ReportSection pictures_section(const ModelRecord& record) {
     section.pictures.push_back(mean_distance_picture(record.loaded.model, record.error_maps));
     return section;
   }
-  return {.title = "Pictures",
-          .paragraphs = {
-              "None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
-              "build time, `xvfb-run -a foramen report MODEL --plain` writes this page with pictures."}};
+  return {
+      .title = "Pictures",
+      .paragraphs = {
+          "None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
+          "build time, the plain page has pictures where it is written with a display or under xvfb-run -a."}};
 }
 
 }  // namespace

@@ -130,7 +130,8 @@ std::vector<RenderedFile> render_model(const fs::path& folder, const RenderOptio
   if (!options.only_curves && !can_render())
     throw Error(
         "pictures need VTK in the build and a display: install libvtk9-dev, build again, and run under "
-        "xvfb-run -a; curves alone need neither (--only-curves)");
+        "xvfb-run -a; curves alone need neither",
+        {{RemedyKind::only_curves}});
   std::vector<RenderedFile> files;
   if (!options.only_curves)
     for (ReportPicture& picture : pictures(folder, options.baseline))

@@ -63,11 +63,12 @@ void require_noise(const Mesh& mesh, const RemoveHandlesOptions& options, const 
   if (anatomy.empty()) return;
   throw TopologyError(
       "genus " + std::to_string(g) + ": beside the canal there " + (anatomy.size() == 1 ? "is " : "are ") +
-      counted(anatomy.size(), "handle") + " too large for noise (" + listed(anatomy) +
-      "): foramina transversaria of a cervical vertebra are "
-      "anatomy, not defects, and such vertebrae are not supported; if it is noise all the same, raise "
-      "--handle-limit (" +
-      shown_mm(options.noise_mm) + ", for both lengths) or mend the segmentation");
+          counted(anatomy.size(), "handle") + " too large for noise (" + listed(anatomy) +
+          "): foramina transversaria of a cervical vertebra are "
+          "anatomy, not defects, and such vertebrae are not supported; if it is noise all the same, raise "
+          "the limit of handles (" +
+          shown_mm(options.noise_mm) + ", for both lengths) or mend the segmentation",
+      {{RemedyKind::handle_limit}});
 }
 
 }  // namespace

@@ -200,7 +200,7 @@ class Repair {
 
   RepairedMesh result() {
     if (const auto obstacle = obstacle_to_model(inspect_mesh(now_.mesh.soup())))
-      throw InvalidInput(obstacle->finding + " after repair; " + obstacle->remedy);
+      throw InvalidInput(obstacle->finding + " after repair; " + obstacle->advice);
     std::stable_sort(report_.changes.begin(), report_.changes.end(),
                      [](const RepairChange& a, const RepairChange& b) { return a.kind < b.kind; });
     RepairedMesh out{now_.mesh, std::move(report_), now_.origin,

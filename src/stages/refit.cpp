@@ -71,7 +71,7 @@ class Refit {
     try {
       BuiltModel without = build_without(shapes_, group, options_, ctx);
       for (const FailedShape& other : without.registration.failed)
-        result.failures.push_back({other.name, group_names_[g], other.reason});
+        result.failures.push_back({other.name, group_names_[g], other.reason.text});
       const RunContext single = ctx.with_threads(1);
       parallel_for(static_cast<int>(group.size()), ctx, [&](int i) {
         const std::size_t k = i;

@@ -16,7 +16,7 @@ ShapeMeasures measured(const Measurer& measurer, const std::filesystem::path& fi
   try {
     return measurer(build_mesh(std::move(soup)));
   } catch (const InvalidInput& e) {
-    throw InvalidInput(file.string() + ": " + e.what());
+    throw InvalidInput(message_of(e).about(file.string()));
   }
 }
 
@@ -28,7 +28,7 @@ Measurer measurer_of(const ShapeModel& model, const MeasureDefinitions& definiti
   try {
     return {mean, definitions};
   } catch (const InvalidInput& e) {
-    throw InvalidInput(source + ": " + e.what());
+    throw InvalidInput(message_of(e).about(source));
   }
 }
 

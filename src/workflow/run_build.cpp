@@ -33,11 +33,12 @@ void prepare_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed || !fs::is_directory(folder))
-    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() +
-                  "); give another with -o");
+    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() + "); give another",
+                  {{RemedyKind::another_output}});
   const fs::path probe = folder / ".foramen-write-test";
   if (!std::ofstream(probe))
-    throw IoError(folder.string() + ": the folder cannot be written to; give another with -o");
+    throw IoError(folder.string() + ": the folder cannot be written to; give another",
+                  {{RemedyKind::another_output}});
   fs::remove(probe, failed);
 }
 
@@ -101,27 +102,31 @@ void add_refits(Evaluation& evaluation, std::span<const Shape> shapes, const Bui
   evaluation.seconds.refit = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void add_refit_notes(std::vector<std::string>& notes, const std::optional<RefitGeneralization>& refit) {
+void add_refit_notes(std::vector<Message>& notes, const std::optional<RefitGeneralization>& refit) {
   if (!refit) return;
   for (const RefitGeneralization::Failure& failure : refit->failures)
     notes.push_back("refit without " + failure.without + ": " + failure.shape + ": " + failure.reason);
 }
 
-std::vector<std::string> notes_on(const BuildRecord& record, const Evaluation& evaluation) {
-  std::vector<std::string> notes = record.notes;
+std::vector<Message> notes_on(const BuildRecord& record, const Evaluation& evaluation) {
+  std::vector<Message> notes = record.notes;
   for (const InputShape& input : record.inputs) {
     if (input.was_inward) notes.push_back(source_of(input) + ": triangles were wound inward; reversed");
     if (input.repair) notes.push_back(source_of(input) + ": repaired: " + summary(*input.repair));
   }
   const Landmarks& landmarks = record.built.landmarks;
   if (landmarks.remaining_flips > 0)
-    notes.push_back(std::to_string(landmarks.remaining_flips) +
-                    " landmark triangles are flipped or degenerate on some shape and could not be mended "
-                    "within the budget of landmarks: give more with --landmarks");
+    notes.push_back(
+        {std::to_string(landmarks.remaining_flips) +
+             " landmark triangles are flipped or degenerate on some shape and could not be mended "
+             "within the budget of landmarks: give more",
+         {{RemedyKind::more_landmarks}}});
   if (landmarks.remaining_self_intersections > 0)
-    notes.push_back(std::to_string(landmarks.remaining_self_intersections) +
-                    " pairs of landmark triangles meet on some shape whose surface does not meet itself, and "
-                    "could not be parted within the budget of landmarks: give more with --landmarks");
+    notes.push_back(
+        {std::to_string(landmarks.remaining_self_intersections) +
+             " pairs of landmark triangles meet on some shape whose surface does not meet itself, and "
+             "could not be parted within the budget of landmarks: give more",
+         {{RemedyKind::more_landmarks}}});
   add_refit_notes(notes, evaluation.refit);
   add_refit_notes(notes, evaluation.refit_by_subject);
   return notes;
@@ -174,8 +179,8 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
 
   BuildSummary summary;
   summary.left_out = record.left_out;
-  for (const auto& notes : {notes_on(record, evaluation), store->notes()})
-    summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
+  summary.notes = notes_on(record, evaluation);
+  for (const std::string& note : store->notes()) summary.notes.emplace_back(note);
   summary.text = model_summary(run, evaluation) + "\nreport.html: " + page.remark;
   summary.json = run.dump(2);
   return summary;

@@ -32,9 +32,9 @@ struct BuildRequest {
 
 struct BuildSummary {
   std::vector<LeftOut> left_out;
-  std::vector<std::string> notes;  ///< what the user should know though it is no error
-  std::string text;                ///< a few lines for a terminal
-  std::string json;                ///< the same as one object
+  std::vector<Message> notes;  ///< what the user should know though it is no error
+  std::string text;            ///< a few lines for a terminal
+  std::string json;            ///< the same as one object
 };
 
 /// Finished stages are kept in the model's folder until all is written, so that an interrupted build can be

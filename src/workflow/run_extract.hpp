@@ -20,9 +20,9 @@ struct ExtractRequest {
 
 struct ExtractSummary {
   std::vector<LeftOut> left_out;
-  std::vector<std::string> notes;  ///< what the user should know though it is no error
-  std::string text;                ///< a line a surface
-  std::string json;                ///< what extract.json holds
+  std::vector<Message> notes;  ///< what the user should know though it is no error
+  std::string text;            ///< a line a surface
+  std::string json;            ///< what extract.json holds
 };
 
 /// Writes output/STEM.ply for every label (LPS mm) and output/extract.json, the record of where they came

@@ -50,7 +50,7 @@ TEST(Correspond, AShapeThatFailsIsLeftOutWithTheReasonAndTheRestGoOn) {
       correspond(shapes, {.objective = Objective::neighbours, .reference = "s0"}, RunContext(2));
   ASSERT_EQ(found.registration.failed.size(), 1u);
   EXPECT_EQ(found.registration.failed[0].name, "sphere");
-  EXPECT_FALSE(found.registration.failed[0].reason.empty());
+  EXPECT_FALSE(found.registration.failed[0].reason.text.empty());
   std::vector<std::string> names;
   for (const ShapeRegistration& shape : found.registration.shapes) names.push_back(shape.name);
   EXPECT_THAT(names, ElementsAre("s0", "s1", "s2", "s3"));

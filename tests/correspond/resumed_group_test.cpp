@@ -52,7 +52,7 @@ TEST_F(ResumedGroup, EndsAsIfItHadNotBeenStoppedWhereverItWas) {
   const std::vector<Mesh> shapes = cohort();
   const Reference reference = map_reference(shapes[0], RunContext(1));
   const GroupRegistration group = register_group(shapes, reference, 0, RunContext(1), small());
-  for (const GroupMember& member : group.members) ASSERT_EQ(member.failure, "");
+  for (const GroupMember& member : group.members) ASSERT_EQ(member.failure.text, "");
   const std::string undisturbed = bytes_of(group);
 
   const auto whole = std::make_shared<MemoryStore>();

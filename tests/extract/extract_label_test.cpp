@@ -11,6 +11,7 @@
 #include "foramen/topology/inspect_mesh.hpp"
 #include "spatial/self_intersections.hpp"
 #include "support/label_maps.hpp"
+#include "support/messages.hpp"
 #include "support/real_data.hpp"
 
 namespace foramen {
@@ -148,7 +149,7 @@ TEST(ExtractLabel, ACutVertebraIsRefusedWithItsSideUnlessAsked) {
     ADD_FAILURE() << "not refused";
   } catch (const InvalidInput& e) {
     EXPECT_THAT(e.what(), HasSubstr("border of the label map (superior)"));
-    EXPECT_THAT(e.what(), HasSubstr("--keep-cut"));
+    EXPECT_THAT(message_of(e), offers({{RemedyKind::keep_cut}}));
   }
   const ExtractedSurface kept = extract(map, {.keep_cut = true});
   EXPECT_THAT(kept.report.cut_at, ElementsAre("superior"));

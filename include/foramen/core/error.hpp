@@ -4,12 +4,24 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "foramen/core/remedy.hpp"
 
 namespace foramen {
 
 /// Base of all errors that a caller may want to show to a user.
 class Error : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  explicit Error(const std::string& text, std::vector<Remedy> remedies = {})
+      : std::runtime_error(text), remedies_(std::move(remedies)) {}
+  explicit Error(const Message& message) : Error(message.text, message.remedies) {}
+  /// What a front end can name a control for; the text says the same without it.
+  const std::vector<Remedy>& remedies() const { return remedies_; }
+
+ private:
+  std::vector<Remedy> remedies_;
 };
 
 /// A file cannot be opened, read or written, or breaks its own format.
@@ -42,6 +54,9 @@ class Cancelled : public Error {
 class InternalError : public std::logic_error {
   using std::logic_error::logic_error;
 };
+
+/// What an error says, with its remedies if it has any.
+Message message_of(const std::exception& error);
 
 namespace detail {
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);

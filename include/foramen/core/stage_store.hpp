@@ -60,6 +60,15 @@ void transfer(Archive& archive, MaybeConst<StageKey> auto& key) {
   archive(key.text());
 }
 
+template <class Archive>
+void transfer(Archive& archive, MaybeConst<Remedy> auto& remedy) {
+  archive(remedy.kind, remedy.value);
+}
+template <class Archive>
+void transfer(Archive& archive, MaybeConst<Message> auto& message) {
+  archive(message.text, message.remedies);
+}
+
 namespace detail {
 /// How a kept entry begins: with a result, or with the kind of error that the same input gives every time.
 enum class KeptKind { result, invalid_input, topology_error, convergence_error };
@@ -67,7 +76,7 @@ enum class KeptKind { result, invalid_input, topology_error, convergence_error }
 /// The kind of an error that follows from the input; nothing for one that may not come again (cancellation,
 /// memory, files) or is a defect of ours.
 std::optional<KeptKind> kept_kind(const std::exception& error);
-[[noreturn]] void throw_kept(KeptKind kind, const std::string& message);
+[[noreturn]] void throw_kept(KeptKind kind, const Message& message);
 }  // namespace detail
 
 /// The result of `work`: as it was kept under this key in the run's store, or else computed and kept. An
@@ -81,7 +90,7 @@ Result kept(const RunContext& ctx, const StageKey& key, const Work& work) {
     auto kind = detail::KeptKind::result;
     reader(kind);
     if (kind != detail::KeptKind::result) {
-      std::string message;
+      Message message;
       reader(message);
       detail::throw_kept(kind, message);
     }
@@ -98,7 +107,7 @@ Result kept(const RunContext& ctx, const StageKey& key, const Work& work) {
     return result;
   } catch (const Error& error) {
     if (const auto kind = detail::kept_kind(error)) {
-      writer(*kind, std::string(error.what()));
+      writer(*kind, message_of(error));
       store->keep(key.text(), writer.take());
     }
     throw;

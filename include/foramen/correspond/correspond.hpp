@@ -73,7 +73,8 @@ struct ShapeRegistration {
 
 /// A shape that failed a check, and why.
 struct FailedShape {
-  std::string name, reason;
+  std::string name;
+  Message reason;
 };
 
 /// A finished correspondence without the maps.

@@ -8,6 +8,7 @@
 
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/remedy.hpp"
 
 namespace foramen {
 
@@ -47,7 +48,9 @@ double degenerate_area(double diagonal);
 /// manifold, oriented genus-1 surface of finite, valid elements; inward winding is not an obstacle).
 struct Obstacle {
   std::string finding;  ///< e.g. "genus 3"
-  std::string remedy;   ///< e.g. "cervical vertebrae ... ; run `foramen repair`"
+  std::string advice;   ///< e.g. "repair the surface, which keeps the largest piece, or delete islands ..."
+  std::vector<Remedy> remedies = {};
+  Message message() const { return {finding + "; " + advice, remedies}; }
 };
 std::optional<Obstacle> obstacle_to_model(const MeshReport& report);
 

@@ -137,7 +137,8 @@ TEST_F(BadPlaces, NamesInOptionsThatFitNothing) {
   fs::copy_file(shape(1), truth / "synth001.ply");
   expect_refused(quick(all + " --reference nobody", model),
                  "the reference nobody: no usable input has this name");
-  expect_refused(quick(all + " --subject-regex '('", model), "--subject-regex (: not a regular expression");
+  expect_refused(quick(all + " --subject-regex '('", model),
+                 "the pattern '(' of subjects is not a regular expression");
   expect_refused(quick(all + " --truth " + truth.string(), model),
                  "there is no true correspondence for the shape synth002");
   expect_refused("evaluate " + all + " --shapes " + truth.string(), "has other triangles or another number");
