@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "correspond/map_steps.hpp"
 #include "correspond/member_archive.hpp"
 #include "correspond/member_steps.hpp"
 #include "correspond/template_archive.hpp"
@@ -319,6 +320,7 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
         "a shape cannot be registered to a group that was made with description_rounds > 0: their targets "
         "are "
         "those of the group's own shapes");
+  require_genus_one(shape);
   const RunContext single = ctx.with_threads(1);
   const MemberSteps steps(reference, single, options);
   Member member;
