@@ -145,13 +145,23 @@ TEST_F(ResumedGroup, OnlyWhatDependsOnAChangeIsComputedAnew) {
   register_group(shapes, reference, 0, ctx, options);
   EXPECT_EQ(keys_of(*store, "working").size(), 3u);
   EXPECT_EQ(keys_of(*store, "register").size(), 3u);
+  EXPECT_EQ(keys_of(*store, "group's mean").size(), 1u);
+  EXPECT_EQ(keys_of(*store, "group's priors").size(), 1u);
   EXPECT_EQ(keys_of(*store, "round").size(), 6u);
+
+  options.cohort.noise_mm *= 2;  // decides the priors, and with them the rounds
+  register_group(shapes, reference, 0, ctx, options);
+  EXPECT_EQ(keys_of(*store, "group's mean").size(), 1u);
+  EXPECT_EQ(keys_of(*store, "group's priors").size(), 2u);
+  EXPECT_EQ(keys_of(*store, "round").size(), 9u);
 
   shapes.push_back(transformed(shapes[1], RigidTransform(Eigen::Translation3d(1, 2, 3))));
   register_group(shapes, reference, 0, ctx, options);
   EXPECT_EQ(keys_of(*store, "working").size(), 4u) << "a further shape renames no other's first steps";
   EXPECT_EQ(keys_of(*store, "register").size(), 4u);
-  EXPECT_EQ(keys_of(*store, "round").size(), 10u) << "but all depend on the new mean";
+  EXPECT_EQ(keys_of(*store, "reference's template").size(), 1u);
+  EXPECT_EQ(keys_of(*store, "group's mean").size(), 2u);
+  EXPECT_EQ(keys_of(*store, "round").size(), 13u) << "but all depend on the new mean";
 }
 
 }  // namespace
