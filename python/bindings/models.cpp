@@ -16,8 +16,8 @@ using ScoreArray = py::array_t<double, py::array::c_style | py::array::forcecast
 
 PointArray as_points(const Eigen::VectorXd& shape) { return points_array(unflattened(shape)); }
 
-// (count, P, 3)
-py::array_t<double> shapes_array(const LoadedModel& loaded, py::ssize_t count) {
+// (count, P, 3), to be filled.
+py::array_t<double> unfilled_shapes(const LoadedModel& loaded, py::ssize_t count) {
   return py::array_t<double>({count, static_cast<py::ssize_t>(loaded.model.landmarks()), py::ssize_t{3}});
 }
 
@@ -32,7 +32,7 @@ py::array_t<double> reconstruct(const LoadedModel& loaded, const ScoreArray& sco
   const double* const from = scores.data();
   if (!std::all_of(from, from + count * given, [](double score) { return std::isfinite(score); }))
     throw InvalidInput("scores: not all are finite; correct them");
-  py::array_t<double> out = shapes_array(loaded, count);
+  py::array_t<double> out = unfilled_shapes(loaded, count);
   double* const values = out.mutable_data();
   const py::gil_scoped_release unlocked;
   const Eigen::Index size = loaded.model.mean().size();
@@ -58,7 +58,7 @@ Eigen::VectorXd scores_of(const LoadedModel& loaded, const PointArray& points) {
 py::array_t<double> sample(const LoadedModel& loaded, int count, std::uint64_t seed) {
   if (count < 0) throw InvalidInput("count is " + std::to_string(count) + "; it must be >= 0");
   const Eigen::Index size = loaded.model.mean().size();
-  py::array_t<double> out = shapes_array(loaded, count);
+  py::array_t<double> out = unfilled_shapes(loaded, count);
   double* const values = out.mutable_data();
   const py::gil_scoped_release unlocked;
   const Rng root(seed);

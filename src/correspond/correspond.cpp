@@ -18,6 +18,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/stage_store.hpp"
+#include "match/robust_weight.hpp"
 
 namespace foramen {
 namespace {
@@ -27,12 +28,6 @@ constexpr int large_reference_vertices = 100000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void require_enough(std::size_t usable, std::span<const FailedShape> failed) {
@@ -168,7 +163,7 @@ std::vector<int> rank_references(std::span<const Shape> shapes) {
     areas.push_back(std::log(total_area(shape.mesh)));
     volumes.push_back(std::log(signed_volume(shape.mesh)));
   }
-  const double area = median(areas), volume = median(volumes);
+  const double area = upper_median(areas), volume = upper_median(volumes);
   std::vector<std::tuple<bool, double, int>> deviations;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     deviations.emplace_back(shapes[i].mesh.vertex_count() > large_reference_vertices,

@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "correspond/map_steps.hpp"
 #include "correspond/member_steps.hpp"
 #include "foramen/core/geometry.hpp"
 
@@ -54,6 +55,7 @@ MeanRegistrar::MeanRegistrar(MeanRegistrar&&) noexcept = default;
 MeanRegistrar& MeanRegistrar::operator=(MeanRegistrar&&) noexcept = default;
 
 std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunContext& ctx) const {
+  require_genus_one(surface);
   const RunContext single = ctx.with_threads(1);
   const std::vector<Vec2>& landmarks = impl_->mean.surface.map.turns.values();
   const MemberSteps steps(impl_->reference, single, impl_->options);

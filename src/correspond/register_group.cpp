@@ -13,8 +13,10 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "correspond/map_steps.hpp"
 #include "correspond/member_archive.hpp"
 #include "correspond/member_steps.hpp"
+#include "correspond/template_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "sampling/torus_grid.hpp"
@@ -24,7 +26,12 @@ namespace {
 
 PreparedTemplate reference_template(const Reference& reference, const RegisterGroupOptions& options,
                                     const RunContext& ctx) {
-  return {remeshed_template(reference.mesh(), reference.shape_map.map, options.mean.vertices, ctx), options};
+  const Mesh& mesh = reference.mesh();
+  const TorusMap& map = reference.shape_map.map;
+  const int vertices = options.mean.vertices;
+  return {kept<TemplateSurface>(ctx, StageKey(ctx, "reference's template", mesh, map, vertices),
+                                [&] { return remeshed_template(mesh, map, vertices, ctx); }),
+          options};
 }
 
 // Of the options those that decide a member's first registration; the others have their defaults.
@@ -52,6 +59,18 @@ RegisterGroupOptions options_of_later(RegisterGroupOptions options) {
   options.still_mm = defaults.still_mm;
   options.description_rounds = defaults.description_rounds;
   return options;
+}
+
+// What draws the maps in a round by description length.
+struct GroupDescription {
+  double length = 0;
+  std::vector<SimilarityTransform> transforms;  // per member: its own coordinates -> the mean's
+  std::vector<std::vector<Vec3>> attractors;    // per member, see DescriptionLength
+};
+
+template <class Archive>
+void transfer(Archive& archive, MaybeConst<GroupDescription> auto& description) {
+  archive(description.length, description.transforms, description.attractors);
 }
 
 class GroupRegistrar {
@@ -89,36 +108,33 @@ class GroupRegistrar {
     // made.
     const int least_rounds = options_.bending == Bending::cohort ? 2 : 1;
     for (int round = 0; round < options_.round_limit; ++round) {
-      MeanTemplate next = next_mean();
+      auto [to_mean, next] = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
       // If the mean has converged, the rounds end before it replaces the template, because the bent shapes are
       // still in the old template's frame.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
-      to_last = StageKey(ctx_, "group's mean", all_made_from(), options_.mean, options_of_later(options_));
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
       last = mean.get();
       group = {round + 1, std::move(next.surface), std::move(next.grid), {}};
-      for_each_member("place", [&](int i) { steps_.place(members_[i], *mean); });
-      if (options_.bending == Bending::cohort) learn_priors(*mean);
+      are_placed_ = false;
+      if (options_.bending == Bending::cohort) learn_priors(to_mean, *mean);
       group.prior = priors_.of_newcomer();
+      to_last = StageKey(ctx_, "group's template", to_mean, all_made_from(), options_of_later(options_));
       advance_each_member("round " + std::to_string(round + 1), to_last, [&](int i) {
         Member& member = members_[i];
+        if (!are_placed_) steps_.place(member, *mean);
         steps_.again(member, *mean, priors_.of_member(member.place_in_priors));
       });
     }
     for (int round = 0; round < options_.description_rounds; ++round) {
-      const StageKey described(ctx_, "group's description", to_last, all_made_from());
-      describe(*last);
+      const StageKey described = describe(to_last, *last);
       advance_each_member("describe " + std::to_string(round + 1), described, [&](int i) {
         Member& member = members_[i];
         steps_.improve(member, transformed(member.working.mesh, member.to_template), *last);
       });
     }
-    const StageKey finished = options_.description_rounds > 0
-                                  ? StageKey(ctx_, "group's description", to_last, all_made_from())
-                                  : to_last;
-    if (options_.description_rounds > 0) describe(*last);
+    const StageKey finished = options_.description_rounds > 0 ? describe(to_last, *last) : to_last;
     advance_each_member("finish", finished, [&](int i) { steps_.finish(members_[i], *last); });
     for (std::size_t i = 0; i < members_.size(); ++i)
       if (result_.members[i].failure.text.empty())
@@ -178,16 +194,42 @@ class GroupRegistrar {
     return identity;
   }
 
-  MeanTemplate next_mean() {
-    std::vector<std::unique_ptr<TorusLocator>> locators(members_.size());
-    for_each_member("mean", [&](int i) {
-      const std::size_t k = i;
-      locators[k] = std::make_unique<TorusLocator>(members_[k].working.mesh, members_[k].map.map);
+  struct MemberFailed {};
+
+  // What the members make together: as it was kept, or made and kept. If a member fails on the way, the others
+  // make it anew, under the name of what it is then made from.
+  template <class Result>
+  std::pair<StageKey, Result> together(const std::function<StageKey()>& key_of_present,
+                                       const std::function<Result()>& work) {
+    while (true) {
+      ctx_.check();
+      const StageKey key = key_of_present();
+      const std::size_t members = present().size();
+      try {
+        return {key, kept<Result>(ctx_, key, [&] {
+                  Result result = work();
+                  if (present().size() < members) throw MemberFailed();
+                  return result;
+                })};
+      } catch (const MemberFailed&) {
+        continue;
+      }
+    }
+  }
+
+  std::pair<StageKey, MeanTemplate> next_mean() {
+    const auto key = [&] { return StageKey(ctx_, "group's mean", all_made_from(), options_.mean); };
+    return together<MeanTemplate>(key, [&] {
+      std::vector<std::unique_ptr<TorusLocator>> locators(members_.size());
+      for_each_member("mean", [&](int i) {
+        const std::size_t k = i;
+        locators[k] = std::make_unique<TorusLocator>(members_[k].working.mesh, members_[k].map.map);
+      });
+      std::vector<const TorusLocator*> of_present;
+      for (const auto& locator : locators)
+        if (locator) of_present.push_back(locator.get());
+      return mean_template(of_present, reference_.shape_map.map.lattice, ctx_, options_.mean);
     });
-    std::vector<const TorusLocator*> of_present;
-    for (const auto& locator : locators)
-      if (locator) of_present.push_back(locator.get());
-    return mean_template(of_present, reference_.shape_map.map.lattice, ctx_, options_.mean);
   }
 
   std::vector<Member*> present() {
@@ -202,31 +244,48 @@ class GroupRegistrar {
     for (std::size_t k = 0; k < members.size(); ++k) members[k]->to_template = rigid(transforms[k]);
   }
 
-  // What the members that are still there tell of each other.
-  void learn_priors(const PreparedTemplate& to) {
-    std::vector<std::vector<Vec3>> placed;
-    for (Member* member : present()) {
-      member->place_in_priors = static_cast<int>(placed.size());
-      placed.push_back(member->bent);
-    }
-    priors_ = cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
+  // What the members that are still there tell of each other. If the priors are read, the members need not be
+  // placed for them; each is placed when it is brought on.
+  void learn_priors(const StageKey& to_mean, const PreparedTemplate& to) {
+    const auto key = [&] {
+      return StageKey(ctx_, "group's priors", to_mean, all_made_from(), options_.displacements,
+                      options_.cohort);
+    };
+    priors_ = together<CohortPriors>(key, [&] {
+                for_each_member("place", [&](int i) { steps_.place(members_[i], to); });
+                are_placed_ = true;
+                std::vector<std::vector<Vec3>> placed;
+                for (const Member* member : present()) placed.push_back(member->bent);
+                return cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
+              }).second;
+    int place = 0;
+    for (Member* member : present()) member->place_in_priors = place++;
     result_.unexplained_shares.push_back(priors_.unexplained_share);
   }
 
-  // The cohort as its maps have it now, and what its description length draws every shape to.
-  void describe(const PreparedTemplate& to) {
+  // Draws every shape to what shortens the description of the cohort as its maps have it now.
+  StageKey describe(const StageKey& to_template, const PreparedTemplate& to) {
+    const auto key = [&] { return StageKey(ctx_, "group's description", to_template, all_made_from()); };
+    auto [described, description] =
+        together<GroupDescription>(key, [&] { return description_of_present(to); });
+    result_.description_lengths.push_back(description.length);
+    take_transforms(description.transforms);
     const std::vector<Member*> members = present();
+    for (std::size_t k = 0; k < members.size(); ++k)
+      members[k]->attractor = std::move(description.attractors[k]);
+    return described;
+  }
+
+  GroupDescription description_of_present(const PreparedTemplate& to) {
     std::vector<std::vector<Vec3>> lifted;
-    for (const Member* member : members) {
+    for (const Member* member : present()) {
       const TorusLocator locator(member->working.mesh, member->map.map);
       lifted.push_back(lift_to_surface(locator, to.surface.map.turns.values()));
     }
     const std::vector<double> areas = vertex_areas(to.surface.mesh).values();
-    const ProcrustesResult aligned = procrustes(lifted, ScaleMode::keep, areas);
+    ProcrustesResult aligned = procrustes(lifted, ScaleMode::keep, areas);
     DescriptionLength length = description_length(aligned.aligned, areas, options_.description);
-    result_.description_lengths.push_back(length.value);
-    take_transforms(aligned.transforms);
-    for (std::size_t k = 0; k < members.size(); ++k) members[k]->attractor = std::move(length.attractors[k]);
+    return {length.value, std::move(aligned.transforms), std::move(length.attractors)};
   }
 
   static double distance_of_means(const std::vector<Vec3>& before, const std::vector<Vec3>& after) {
@@ -242,7 +301,8 @@ class GroupRegistrar {
   const RegisterGroupOptions& options_;
   MemberSteps steps_;
   std::vector<Member> members_;
-  CohortPriors priors_;  // of the present round; without Bending::cohort the smooth process
+  CohortPriors priors_;      // of the present round; without Bending::cohort the smooth process
+  bool are_placed_ = false;  // whether the members have the present mean's vertices
   GroupRegistration result_;
 };
 
@@ -262,6 +322,7 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
         "a shape cannot be registered to a group that was made with description_rounds > 0: their targets "
         "are "
         "those of the group's own shapes");
+  require_genus_one(shape);
   const RunContext single = ctx.with_threads(1);
   const MemberSteps steps(reference, single, options);
   Member member;

@@ -12,7 +12,7 @@ struct SmoothedSurface {
 };
 
 /// As extract_label() says. \param start  without self-intersections, mm along the lattice's axes.
-/// \param volume  to be enclosed in the end, mm^3. \param bound  in voxels
+/// \param volume  to be enclosed in the end, mm^3; of no effect without rounds. \param bound  in voxels
 SmoothedSurface smooth_surface(const TriangleSoup& start, const Vec3& spacing, double volume, int rounds,
                                double bound);
 

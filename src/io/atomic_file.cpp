@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <string>
@@ -36,15 +37,20 @@ class Descriptor {
   int fd_;
 };
 
+std::string host_name() {
+  std::array<char, 65> name{};  // Linux has no longer ones
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
 constexpr std::string_view temporary_mark = ".foramen-tmp";
 
-// Unique within this process by the counter, between processes by the process id. The extension stays, since
-// some libraries choose the format by it.
+// Unique within this process by the counter, between processes by the process id, and between machines that
+// share the folder by the host's name. The extension stays, since some libraries choose the format by it.
 fs::path temporary_beside(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
   std::string name = ".";
   name += path.stem().string();
-  name += '.' + std::to_string(::getpid()) + '-' + std::to_string(counter++);
+  name += '.' + host_name() + '-' + std::to_string(::getpid()) + '-' + std::to_string(counter++);
   name += temporary_mark;
   name += path.extension().string();
   return path.parent_path() / name;

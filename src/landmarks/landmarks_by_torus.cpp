@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/core/stage_store.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "sampling/landmark_archive.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "sampling/refine_landmarks.hpp"
 #include "sampling/torus_grid.hpp"
@@ -132,18 +135,29 @@ RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<Li
                          " landmarks; give a larger one");
 }
 
+// The digest of each shape by itself: the bytes of all of them at once may be too many to hold.
+StageKey key_of_landmarks(const std::vector<Mesh>& meshes, const std::vector<TorusMap>& maps,
+                          const PlaceLandmarksOptions& options, const RunContext& ctx) {
+  std::vector<StageKey> mapped;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    mapped.emplace_back(ctx, "mapped shape", meshes[i], maps[i]);
+  return {ctx, "landmarks", mapped, options};
+}
+
 }  // namespace
 
 Landmarks landmarks_by_torus(const std::vector<Mesh>& meshes, std::vector<TorusMap> maps,
                              const PlaceLandmarksOptions& options, const RunContext& ctx) {
+  const StageKey key = key_of_landmarks(meshes, maps, options, ctx);
   const Lattice lattice = maps.front().lattice;
   std::vector<LiftingShape> shapes = lifting_shapes(meshes, std::move(maps), ctx);
-  const DenseMean mean = dense_mean(shapes, lattice, options, ctx);
-  plant_trees(shapes, ctx);
-  ctx.step("resample", 0.3);
-  RefinedLandmarks refined = options.target_error_mm
-                                 ? landmarks_for_error(mean, shapes, options, ctx)
-                                 : landmarks_on(mean, shapes, options.count, options, ctx);
+  RefinedLandmarks refined = kept<RefinedLandmarks>(ctx, key, [&] {
+    const DenseMean mean = dense_mean(shapes, lattice, options, ctx);
+    plant_trees(shapes, ctx);
+    ctx.step("resample", 0.3);
+    return options.target_error_mm ? landmarks_for_error(mean, shapes, options, ctx)
+                                   : landmarks_on(mean, shapes, options.count, options, ctx);
+  });
   ctx.step("resample", 0.9);
   Landmarks result;
   result.points = lifted_to_all(shapes, refined.landmarks.turns, ctx);

@@ -7,7 +7,8 @@
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/stage_store.hpp"
-#include "stages/model_archive.hpp"
+#include "model/model_archive.hpp"
+#include "stages/refit_archive.hpp"
 
 namespace foramen {
 namespace {

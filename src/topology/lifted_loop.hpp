@@ -13,8 +13,8 @@ namespace foramen::topology_detail {
 /// (1e-16 of the coordinates), near enough not to reach another part of the surface. Two in a row must agree.
 inline constexpr std::array pushes{1e-3, 1e-4, 1e-5, 1e-6};
 
-/// \f$ \frac{1}{4\pi} \oint\oint \frac{a - b}{|a - b|^3} \cdot (da \times db) \f$, by segments; NaN where two
-/// segments touch.
+/// \f$ \frac{1}{4\pi} \oint\oint \frac{a - b}{|a - b|^3} \cdot (da \times db) \f$, by segments. Where the
+/// polygons touch it is NaN or no integer.
 double gauss_integral(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
 
 /// Nothing if it is further than 1e-3 from an integer.

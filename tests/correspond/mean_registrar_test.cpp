@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "correspond/knobbly_family.hpp"
@@ -103,7 +104,12 @@ TEST(MeanRegistrar, RefusesASurfaceOfAnotherTopologyAndStopsWhenAsked) {
   const TriangleSoup octahedron{
       {{20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, -20, 0}, {0, 0, 20}, {0, 0, -20}},
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
-  EXPECT_THROW(registrar.landmarks_on(build_mesh(octahedron), RunContext(1)), TopologyError);
+  EXPECT_THAT([&] { registrar.landmarks_on(build_mesh(octahedron), RunContext(1)); },
+              ::testing::ThrowsMessage<TopologyError>(::testing::HasSubstr("genus 0")));
+  TriangleSoup open = testing::new_member(1).soup();
+  open.triangles.pop_back();
+  EXPECT_THAT([&] { registrar.landmarks_on(build_mesh(open), RunContext(1)); },
+              ::testing::ThrowsMessage<TopologyError>(::testing::HasSubstr("not closed")));
   const RunContext stopped(1);
   stopped.request_stop();
   EXPECT_THROW(registrar.landmarks_on(testing::new_member(1), stopped), Cancelled);

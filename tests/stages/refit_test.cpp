@@ -7,7 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/surface_distance.hpp"
-#include "stages/model_archive.hpp"
+#include "stages/refit_archive.hpp"
 #include "support/memory_store.hpp"
 #include "support/torus_family.hpp"
 
