@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "parameterize/initial_map.hpp"
-#include "sampling/torus_grid.hpp"
 #include "support/meshes.hpp"
 #include "topology/periods.hpp"
 
