@@ -8,7 +8,7 @@
 
 namespace foramen {
 
-/// A proper rigid motion, mm.
+/// A rotation followed by a translation in mm; never a reflection.
 using RigidTransform = Eigen::Isometry3d;
 
 struct BoundingBox {
@@ -21,17 +21,17 @@ BoundingBox bounding_box(std::span<const Vec3> points);
 /// Half the cross product of two sides: length = area, direction = outward normal.
 Vec3 area_vector(const std::array<Vec3, 3>& triangle);
 double area(const std::array<Vec3, 3>& triangle);
-/// Unit normal; zero for a triangle without area.
+/// Unit normal; the zero vector for a triangle of zero area.
 Vec3 unit_normal(const std::array<Vec3, 3>& triangle);
 double total_area(const Mesh& mesh);
 /// Volume enclosed by a closed mesh, positive when wound outward, mm^3.
 double signed_volume(const Mesh& mesh);
 /// Area-weighted centroid of the surface.
 Vec3 surface_centroid(const Mesh& mesh);
-/// One third of the areas of the triangles at each vertex; they sum to total_area.
+/// For each vertex, one third of the summed areas of its triangles. The values sum to total_area().
 VertexMap<double> vertex_areas(const Mesh& mesh);
-/// Unit normals, the triangles at a vertex weighted by their angle there. Zero only where all triangles are
-/// degenerate.
+/// Unit vertex normals: the normals of the triangles at a vertex are averaged with their angles at the vertex
+/// as weights. The normal is zero only where all triangles at the vertex are degenerate.
 VertexMap<Vec3> vertex_normals(const Mesh& mesh);
 double edge_length(const Mesh& mesh, EdgeId e);
 EdgeMap<double> edge_lengths(const Mesh& mesh);

@@ -1,19 +1,19 @@
 #pragma once
 /// \file
-/// The numbers that an option may have.
+/// The range of numbers that an option accepts.
 
 #include <limits>
 #include <string>
 
 namespace foramen {
 
-/// An interval of numbers, open or closed at either end. By default every number.
+/// An interval of numbers, open or closed at either end. By default it contains every number.
 struct OptionRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool least_excluded = false, most_excluded = false;
 
-  /// The same interval cut off above.
+  /// The same interval with a closed upper end; below() gives an open one.
   constexpr OptionRange up_to(double limit) const { return {least, limit, least_excluded, false}; }
   constexpr OptionRange below(double limit) const { return {least, limit, least_excluded, true}; }
 

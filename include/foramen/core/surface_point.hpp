@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A place on a surface that knows its triangle.
+/// A point on a surface, given by its triangle and barycentric coordinates.
 
 #include "foramen/core/mesh.hpp"
 
