@@ -47,7 +47,7 @@ class LegacyVtk {
     while (next_line()) {
       TokenCursor words(line_);
       const std::string keyword = lower_case(words.next());
-      // Fields on points and cells are not read
+      // Fields on points and cells are not read.
       if (keyword == "point_data" || keyword == "cell_data") break;
       parse_section(keyword, words);
     }
@@ -85,7 +85,7 @@ class LegacyVtk {
     if (!version) refuse("unknown version in " + in_quotes(line_));
     constexpr double first_with_offsets = 5;
     has_offsets_ = *version >= first_with_offsets;
-    // The title may be blank
+    // The title may be blank.
     const auto title_end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
     space_.see(source_, source_.bytes.substr(offset_, title_end - offset_));
     offset_ = std::min(title_end + 1, source_.bytes.size());

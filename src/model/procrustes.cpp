@@ -13,7 +13,7 @@ namespace foramen {
 namespace {
 
 constexpr double mean_tolerance = 1e-10;  // of the mean shape's size
-// Usually fewer than ten are needed; nearly round shapes converge slowly
+// Usually fewer than ten are needed; nearly round shapes converge slowly.
 constexpr int iteration_limit = 1000;
 
 double weight_of(std::span<const double> weights, std::size_t i) {

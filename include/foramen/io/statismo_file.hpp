@@ -28,7 +28,7 @@ struct StatismoModel {
   /// /foramen/landmarkWeights, which other readers ignore.
   std::vector<double> landmark_weights;
   double noise_variance = 0;  ///< mm^2
-  /// K x N scores of the training shapes, in standard deviations; may be empty (0 x 0)
+  /// K x N scores of the training shapes, in standard deviations; may be empty (0 x 0).
   Eigen::MatrixXd scores;
   std::vector<std::string> shape_uris;  ///< N, or empty: file names of the training shapes
   std::string build_time = "1970-01-01T00:00:00Z";
