@@ -11,9 +11,9 @@
 namespace foramen {
 namespace {
 
-// What is to be done with the labels of a map.
+// The labels of a map by what is done with them.
 struct Plan {
-  std::vector<int> wanted;  // and present
+  std::vector<int> wanted;  // wanted labels that the map contains
   std::vector<int> missing_singles, missing_of_ranges, unnamed;
 };
 
@@ -57,7 +57,7 @@ std::string none_wanted(const std::map<int, LabelExtent>& present, const LabelRe
          ": choose among them with --labels, or say what they are with --numbering or --label-names";
 }
 
-// What became of voxels that a user may miss.
+// Adds notes on dropped and filled voxels and on other changes that the user should know.
 void note_changes(const LabelSurface& surface, std::vector<std::string>& notes) {
   const ExtractionReport& s = surface.extracted.report;
   constexpr double worth_saying = 0.001;
