@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A registered shape and a reference as bytes (byte_archive.hpp), to be kept.
+/// A registered shape and a reference as bytes (byte_archive.hpp), for the store.
 
 #include "foramen/core/byte_archive.hpp"
 #include "foramen/correspond/register_shape.hpp"

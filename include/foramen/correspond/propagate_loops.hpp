@@ -1,16 +1,16 @@
 #pragma once
 /// \file
-/// The reference's basepoint and loops carried to an aligned shape, the paper's way.
+/// Transfer of the reference's basepoint and loops to an aligned shape, as in the paper.
 
 #include "foramen/core/options.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 
 namespace foramen {
 
-/// The reference's loops as every other shape sees them.
+/// The loops of the reference, to which the loops of the other shapes are compared.
 struct ReferenceLoops {
   Mesh mesh;                ///< the reference, in its own coordinates
-  LoopSystem loops;         ///< two, oriented so that the torus map they give has positive area
+  LoopSystem loops;         ///< two loops, oriented so that a torus map with their periods has positive area
   Eigen::Matrix2i seifert;  ///< see seifert_matrix()
 };
 
@@ -18,9 +18,12 @@ struct ReferenceLoops {
 ReferenceLoops find_reference_loops(const Mesh& mesh, const RunContext& ctx);
 
 enum class EdgeCost {
-  paper,  ///< [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm];
-          ///< counts hops
-  length_weighted,  ///< (that + 0.5 mm) * edge length [mm^2]: independent of how finely the surface is meshed
+  /// [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm]; the cost of a
+  /// path depends on its number of edges.
+  paper,
+  /// (paper's cost + 0.5 mm) * edge length [mm^2]; the cost of a path does not depend on the resolution of
+  /// the mesh.
+  length_weighted,
 };
 template <>
 struct EnumWords<EdgeCost> {
@@ -31,12 +34,13 @@ struct EnumWords<EdgeCost> {
 /// The cost of every edge of an aligned shape. [becker2011 Eq. 3]
 EdgeMap<double> loop_edge_costs(const Mesh& aligned_shape, const ReferenceLoops& reference, EdgeCost cost);
 
-/// Basepoint: the vertex of the shape nearest to the reference's; loops: the greedy system from it by the
-/// edge costs, oriented. Not named: loop k need not be the reference's loop k, see transfer_homology().
+/// Transfers the loops: the basepoint is the vertex of the shape nearest to the reference's basepoint, and
+/// the loops are the oriented greedy system from it with the edge costs as weights. Loop k need not
+/// correspond to loop k of the reference, see transfer_homology().
 LoopSystem propagate_loops(const Mesh& aligned_shape, const ReferenceLoops& reference, EdgeCost cost);
 
-/// The same system with its second loop reversed if the two cross the other way, so that a torus map with
-/// their periods has positive area. \pre genus 1
+/// The same system, with the second loop reversed if necessary so that a torus map with their periods has
+/// positive area. \pre genus 1
 LoopSystem oriented(const Mesh& mesh, LoopSystem loops);
 
 }  // namespace foramen

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Correspondence of a whole cohort: every shape's map to one torus, through a template that becomes the
-/// mean.
+/// Groupwise correspondence of a cohort: maps of all shapes to one torus, registered to a template that
+/// becomes the mean.
 
 #include <optional>
 #include <string>
@@ -29,12 +29,12 @@ struct EnumWords<DistortionMeasure> {
       {"template", DistortionMeasure::on_template}, {"plane", DistortionMeasure::in_plane}};
 };
 
-/// How the template is brought onto a shape before targets are sought on it.
+/// How the template is deformed onto a shape before it gives targets for the shape's vertices.
 enum class Bending {
   cohort,  ///< deform_template(). From the first round with a mean on, the prior of a shape's displacement is
            ///< learnt from the other shapes: cohort_priors().
-  smooth,  ///< deform_template() with the smooth process as prior, for each shape by itself
-  rigid,   ///< the template is only aligned with the shape
+  smooth,  ///< deform_template() with the smooth process as prior, independently for each shape
+  rigid,   ///< the template is only aligned rigidly with the shape
 };
 template <>
 struct EnumWords<Bending> {
@@ -59,7 +59,9 @@ struct RegisterGroupOptions {
   SurfaceTargetsOptions targets = {};
   int metric_updates = 2;
   int round_limit = 4;
-  double still_mm = 0.15;  ///< With Bending::cohort the rounds end after two at the earliest.
+  /// Converged if the RMS motion of the mean is below this. With Bending::cohort there are at least two
+  /// rounds.
+  double still_mm = 0.15;
   int description_rounds = 0;
   DescriptionLengthOptions description = {};
 };
@@ -114,25 +116,27 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
 }
 
 struct GroupMember {
-  std::optional<RegisteredShape> registered;  ///< unset: left out
+  std::optional<RegisteredShape> registered;  ///< unset: the shape was left out
   std::string failure;                        ///< why
   double seconds = 0;                         ///< of this shape alone
 };
 
-/// What the last round registered all shapes to.
+/// The template of the last round, to which all shapes are registered.
 struct GroupTemplate {
-  int rounds = 0;           ///< with a mean as template; 0: the reference was the only one, the rest is empty
+  /// Number of rounds with a mean as template; 0: only the reference was a template, and the fields below are
+  /// empty.
+  int rounds = 0;
   TemplateSurface surface;  ///< see MeanTemplate
   std::vector<Vec3> grid;   ///< see MeanTemplate
-  DisplacementPrior prior;  ///< of a newcomer's displacement: see CohortPriors
+  DisplacementPrior prior;  ///< prior of the displacement onto a new shape, see CohortPriors
 };
 
 struct GroupRegistration {
   std::vector<GroupMember> members;  ///< one per shape
   GroupTemplate last_template;
-  std::vector<double> template_motion_mm;   ///< RMS motion of the mean from round to round
-  std::vector<double> unexplained_shares;   ///< with Bending::cohort, of every round: see CohortPriors
-  std::vector<double> description_lengths;  ///< before each of the rounds by it, and after the last
+  std::vector<double> template_motion_mm;   ///< RMS motion of the mean between successive rounds
+  std::vector<double> unexplained_shares;   ///< with Bending::cohort, one per round, see CohortPriors
+  std::vector<double> description_lengths;  ///< before each of the description rounds, and after the last
 };
 
 /// Registers all shapes with each other, in three parts.
@@ -155,10 +159,9 @@ GroupRegistration register_group(const std::vector<Mesh>& shapes, const Referenc
 
 /// Registers one more shape to a group, which does not change. The steps are those of a member, but every
 /// round uses the group's last template. There are as many rounds as the members had. Runs on one thread.
-/// \param reference  that of the group, with the map it was given or the one it ended with
-/// \param options  those of the group
-/// Throws TopologyError or ConvergenceError with the reason if any check fails; InvalidInput for
-/// description_rounds > 0.
+/// \param reference  the reference of the group, with its first or its final map
+/// \param options  the options of the group Throws TopologyError or ConvergenceError with the reason if any
+/// check fails; InvalidInput for description_rounds > 0.
 RegisteredShape register_to_group(const Mesh& shape, const Reference& reference, const GroupTemplate& group,
                                   const RunContext& ctx, const RegisterGroupOptions& options = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The torus map of the reference, and of every other shape in correspondence with it.
+/// The torus map of the reference, and maps of single shapes in correspondence with it.
 
 #include "foramen/core/options.hpp"
 #include "foramen/correspond/first_map.hpp"
@@ -41,18 +41,19 @@ void describe(Visitor& visit, MaybeConst<RegisterOptions> auto& o) {
         {.name = "iteration_limit", .range = at_least(1), .meaning = "most iterations of an optimisation"});
 }
 
-/// The paper's own choices: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with plain
-/// neighbours, lambda = 0.00025.
+/// The choices of the paper: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with nearest points
+/// in space, lambda = 0.00025.
 RegisterOptions paper_options();
 
 struct Reference {
-  ReferenceLoops loops;  ///< with the mesh
+  ReferenceLoops loops;  ///< the loops and the mesh
   ShapeMap shape_map;
   const Mesh& mesh() const { return loops.mesh; }
 };
 
 /// Finds the shortest loops of the reference over all basepoints, computes its first map, and minimises the
-/// distortion with the lattice free. The lattice that is found is that of all shapes.
+/// distortion with free lattice. All shapes use the resulting lattice. With Optimiser::polak_ribiere the
+/// lattice stays the unit square.
 Reference map_reference(const Mesh& mesh, const RunContext& ctx, const RegisterOptions& options = {});
 
 struct RegisteredShape {
@@ -64,8 +65,9 @@ struct RegisteredShape {
 };
 
 /// Aligns the shape with the reference, carries the reference's loops to it, maps it to the reference's torus
-/// and minimises E_cor + lambda E_deg. Throws TopologyError or ConvergenceError with the reason if a check fails:
-/// the Seifert test of the first map, the certificate of the finished map, its homology or its direction.
+/// and minimises E_cor + lambda E_deg. Throws TopologyError or ConvergenceError with the reason if a check
+/// fails: the Seifert test of the first map, the certificate of the finished map, its homology or its
+/// direction.
 RegisteredShape register_shape(const Mesh& shape, const Reference& reference, const RunContext& ctx,
                                const RegisterOptions& options = {});
 

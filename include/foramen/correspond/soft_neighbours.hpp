@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The paper's correspondence term: every vertex is drawn to the torus positions of its nearest neighbours on
-/// the reference.
+/// The correspondence energy of the paper: it attracts every vertex to the torus positions of its nearest
+/// neighbours on the reference.
 
 #include "foramen/core/options.hpp"
 #include "foramen/parameterize/optimise_map.hpp"
@@ -9,12 +9,13 @@
 namespace foramen {
 
 enum class NeighbourSearch {
-  points,           ///< the paper's: nearest in space, also through a thin wall
+  points,  ///< nearest in space, as in the paper; neighbours may lie on the other side of a thin wall
   oriented_points,  ///< nearest by position and normal (8 mm per unit of normal difference)
 };
 enum class NeighbourWeights {
-  absolute,  ///< [becker2011 Eq. 4]: exp(-distance / mm): vanishes where shapes differ by several millimetres
-  relative,  ///< the same, divided by their sum: every vertex pulls with the same total weight
+  /// [becker2011 Eq. 4]: exp(-distance / mm), which is nearly 0 where shapes differ by several millimetres.
+  absolute,
+  relative,  ///< the same weights divided by their sum, so that every vertex has the same total weight
 };
 
 template <>
@@ -46,9 +47,10 @@ void describe(Visitor& visit, MaybeConst<SoftNeighboursOptions> auto& o) {
                       .meaning = "eps in sqrt(r^2 + eps^2) for a distance r on the torus of area 1"});
 }
 
-/// E_cor,j = sum over the q nearest reference vertices k of w_jk |p_j - p_k|, [becker2011 Eq. 4], with the
-/// distance to the nearest lattice translate, smoothed as sqrt(r^2 + eps^2). Positions in the plane of the
-/// reference's lattice (area 1). The Hessian is exact; it is positive semi-definite by nature.
+/// E_cor,j = sum over the q nearest reference vertices k of w_jk |p_j - p_k| [becker2011 Eq. 4]. The distance
+/// r is that to the nearest lattice translate, smoothed as sqrt(r^2 + eps^2). Positions are in the plane of
+/// the reference's lattice (area 1). The Hessian is exact, and positive semi-definite because the term is
+/// convex.
 class SoftNeighbours : public CorrespondenceObjective {
  public:
   SoftNeighbours(const Mesh& aligned_shape, const Mesh& reference, const TorusMap& reference_map,
@@ -59,8 +61,8 @@ class SoftNeighbours : public CorrespondenceObjective {
   int count_;
   double squared_smoothing_;
   LatticeReducer reducer_;
-  std::vector<Vec2> targets_;    // count_ per vertex, in the plane
-  std::vector<double> weights_;  // the same
+  std::vector<Vec2> targets_;    // count_ positions per vertex, in the plane
+  std::vector<double> weights_;  // count_ weights per vertex
 };
 
 }  // namespace foramen
