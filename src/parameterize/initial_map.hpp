@@ -19,6 +19,7 @@ TorusMap harmonic_torus_map(const Mesh& mesh, const Cocycle& form);
 /// is computed on the torus without copies: the vertices of the loops are fixed and the jumps come from the
 /// cocycle. The jumps have the periods (1,0) and (0,1) over the two loops, which must be positively oriented
 /// (TopologyError otherwise).
+///
 /// Some loops do not cut the surface into a rectangle. Spurs of the loops near the basepoint are ignored.
 /// Loops that share a path give a hexagon with opposite sides identified. If an edge of the mesh joins two
 /// vertices of a side, the side follows this edge instead, because the triangles between would have zero area

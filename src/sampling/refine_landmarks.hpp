@@ -39,6 +39,7 @@ struct RefinedLandmarks {
 /// A landmark triangle is called guilty if, lifted to the input surface of some shape, it is degenerate or
 /// its flip is confirmed (see SampledFlips). After these triangles are repaired, a triangle is also guilty if
 /// it intersects another one on a shape whose input has no self-intersections.
+///
 /// A guilty triangle is repaired by the local change that leaves the fewest flipped triangles and then the
 /// fewest intersections over all shapes: a flip of one of its edges, a move of one of its corners, or, if
 /// these do not help and the budget allows it, a new landmark in the middle of an edge or of the triangle.

@@ -36,9 +36,11 @@ struct SimplifyOptions {
 /// sum is over the input triangles at these vertices and A is a third of the area of a triangle. The cost of
 /// the collapse of v into u is \f$ Q_v(u) - Q_v(v) + (1/s - 1)\, Q_v(u) \f$, where s is the shape \f$
 /// 4\sqrt3\,area / \sum side^2 \f$ of the worst new triangle.
+///
 /// A collapse is refused if it violates the link condition (so the topology does not change and no two edges
 /// join the same vertices), turns a triangle by more than 60 degrees, has s below 0.4 unless v already has a
 /// worse triangle, makes a valence larger than 9 or makes the valence of a neighbour smaller than 4.
+///
 /// The result is deterministic, with ties broken by vertex index; the run time is O(n log n). A mesh that is
 /// small enough is returned unchanged. Throws TopologyError if the mesh is not closed, InvalidInput for a
 /// target below 4, and Cancelled.

@@ -62,6 +62,7 @@ struct CompletedSurface {
 ///
 /// The model is fitted from each of the poses that align_part() returns, and the fit with the smallest
 /// distance of the part's samples is kept.
+///
 /// Each fit goes from coarse to fine noise. In each iteration every sample of the part is matched with the
 /// nearest landmark by position and normal, and every landmark with the nearest point of the part. A landmark
 /// whose nearest point lies at an open border of the part is not matched, because it probably lies beyond the

@@ -102,6 +102,7 @@ class Mesh {
 };
 
 /// Builds the connectivity. The message of an error names the first element at fault.
+///
 /// Throws InvalidInput for an index out of range, a triangle that uses a corner twice or a coordinate that is
 /// not finite. Throws TopologyError for an edge with more than two triangles or with two triangles that run
 /// along it in the same direction, for a vertex whose triangles do not form one fan, and for a vertex without

@@ -60,6 +60,7 @@ struct CohortPriors {
 /// \param functions  values of smooth_displacements() at the template's vertices
 /// \param corresponding  per shape, the points that correspond to the template's vertices, in the coordinates
 /// of the template; with fewer than 3 shapes the prior is the smooth process
+///
 /// Throws InvalidInput for sizes that do not agree.
 CohortPriors cohort_priors(const Mesh& surface, const Eigen::MatrixXd& functions,
                            std::span<const std::vector<Vec3>> corresponding,

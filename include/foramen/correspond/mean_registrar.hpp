@@ -15,9 +15,10 @@ namespace foramen {
 /// any number of surfaces; const calls may run in parallel.
 class MeanRegistrar {
  public:
-  /// \param mean  the mean with its landmarks as vertices, and its map to the torus \param training
-  /// landmarks of the model's shapes in model coordinates, mm; the prior of a new surface's displacement is
-  /// learnt from them (CohortPriors::of_newcomer())
+  /// \param mean  the mean with its landmarks as vertices, and its map to the torus
+  /// \param training  landmarks of the model's shapes in model coordinates, mm; the prior of a new surface's
+  /// displacement is learnt from them (CohortPriors::of_newcomer())
+  ///
   /// Throws TopologyError if the mean is not closed and of genus 1; InvalidInput for sizes that do not agree.
   MeanRegistrar(const TemplateSurface& mean, std::span<const std::vector<Vec3>> training,
                 const RunContext& ctx, const RegisterGroupOptions& options = {});

@@ -160,8 +160,9 @@ GroupRegistration register_group(const std::vector<Mesh>& shapes, const Referenc
 /// Registers one more shape to a group, which does not change. The steps are those of a member, but every
 /// round uses the group's last template. There are as many rounds as the members had. Runs on one thread.
 /// \param reference  the reference of the group, with its first or its final map
-/// \param options  the options of the group Throws TopologyError or ConvergenceError with the reason if any
-/// check fails; InvalidInput for description_rounds > 0.
+/// \param options  the options of the group
+/// Throws TopologyError or ConvergenceError with the reason if any check fails; InvalidInput for
+/// description_rounds > 0.
 RegisteredShape register_to_group(const Mesh& shape, const Reference& reference, const GroupTemplate& group,
                                   const RunContext& ctx, const RegisterGroupOptions& options = {});
 

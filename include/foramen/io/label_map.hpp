@@ -40,6 +40,7 @@ std::string label_map_stem(const std::filesystem::path& path);
 /// numbers, in any orientation. A NIfTI file is placed by its sform if it has one, else by its qform. NRRD
 /// may be in LPS, RAS or LAS space; MetaImage is in LPS. Memory is allocated for the data that the file
 /// holds, not for the size that its header states.
+///
 /// Throws IoError with the file, what was found and what to do: a header that states more data than the file
 /// holds, a truncated or damaged file, a number of dimensions other than three, colours or vectors, axes that
 /// are not at right angles, no orientation, or values that are no labels (fractions and negative numbers, as

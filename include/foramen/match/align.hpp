@@ -56,6 +56,7 @@ struct Alignment {
 /// removes matches of parts that the other shape does not have. Each step minimises a mixture of the distance
 /// along the mean of both normals (symmetric point-to-plane distance, \cite rusinkiewicz2019) and of the
 /// distance itself.
+///
 /// The transform is a rotation and a translation, without reflection or scaling. The result is deterministic
 /// and, up to rounding, does not depend on the pose of `moving`; exchanging the two shapes gives the inverse
 /// transform. Throws InvalidInput for a surface of zero area and for options out of range.

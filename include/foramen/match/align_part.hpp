@@ -44,11 +44,13 @@ void describe(Visitor& visit, MaybeConst<AlignPartOptions> auto& o) {
 
 /// Possible alignments of the part with the whole, best first: at most `most_answers`, which differ in
 /// rotation by more than 0.2 rad.
+///
 /// This is one-sided ICP \cite besl1992: each sample of the part is matched with the nearest point of the
 /// whole by position and normal, but not vice versa, since most of the whole may be missing in the part.
 /// Tukey's biweight removes matches of samples that the whole does not have. The starts are rotations of a
 /// super-Fibonacci spiral \cite alexa2022, with the centroid of the part at the centroid of the whole and at
 /// points distributed around it. After every few iterations only the better poses are continued.
+///
 /// Residuals are means over the samples of the part, see Alignment::residual; `second_best` is the residual
 /// of the next alignment. The part may be open, in several pieces, or the whole. The result is deterministic.
 /// Throws InvalidInput for a surface of zero area and for options out of range.

@@ -62,6 +62,7 @@ void describe(Visitor& visit, MaybeConst<SmoothDisplacementOptions> auto& o) {
 /// phi_k(x) phi_k(y) over k is the covariance of one coordinate of the displacement at x and y. With
 /// independent standard normal coefficients a, u = phi a is a sample of the process, and |a|^2 / 2 is its
 /// negative log density up to a constant.
+///
 /// The process is defined in space, so the two sides of a thin wall move together, and displacements along a
 /// featureless wall follow those of the surrounding surface. The basis is computed by pivoted Cholesky
 /// factorisation of the kernel matrix \cite harbrecht2012, as for the Gaussian process morphable models of

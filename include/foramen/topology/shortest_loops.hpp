@@ -31,6 +31,7 @@ struct LoopSystem {
 /// paths from the basepoint. C* is the maximum spanning tree of the dual graph of the edges not in T,
 /// weighted by the length of the loop that an edge closes with T. The 2g edges in neither tree are the
 /// generators of the loops.
+///
 /// Loops are in order of length, shortest first. Each loop traverses its generator from the end with the
 /// lexicographically smaller position. Ties are broken by position (by index only if positions are equal or
 /// weights are zero), so the loops do not depend on the numbering of the mesh. The run time is nearly linear.
