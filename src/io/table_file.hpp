@@ -29,7 +29,8 @@ std::string format_number(double value);
 /// Parses the whole cell as a number. Throws IoError if it is none.
 double parse_number(std::string_view cell);
 
-/// Throws InvalidInput if a row has not as many cells as the header; IoError if the file cannot be written.
+/// Writes a table. Throws InvalidInput if a row does not have the same number of cells as the header; IoError
+/// if the file cannot be written.
 void write_csv(const std::filesystem::path& path, const std::vector<std::string>& header,
                const std::vector<Row>& rows);
 

@@ -208,7 +208,7 @@ class LegacyVtk {
     const NumberType type = parse_type(words.next());
     expect_line_end(words);
     check_room(count, number_types[2],
-               "POINTS");  // at least a byte each, so that three times as many is no overflow
+               "POINTS");  // each value takes at least a byte, so the product with 3 does not overflow
     check_room(3 * count, type, "POINTS");
     soup_.expect(count, 0, remaining(), 0, 0);
     begin_data(count);

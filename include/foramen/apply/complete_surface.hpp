@@ -46,6 +46,7 @@ void describe(Visitor& visit, MaybeConst<CompleteSurfaceOptions> auto& o) {
   visit(o.pose, {.name = "pose"});
 }
 
+/// The result of complete_surface().
 struct CompletedSurface {
   SimilarityTransform to_model;  ///< maps coordinates of the part to those of the model
   ShapeDistribution shape;  ///< posterior of all landmarks given the part, in the coordinates of the part, mm

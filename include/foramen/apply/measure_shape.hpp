@@ -14,10 +14,12 @@ namespace foramen {
 /// The index of a landmark, or a position near the mean [mm, model coordinates].
 using PlaceOnMean = std::variant<int, Vec3>;
 
+/// A named point of the mean.
 struct NamedPoint {
   std::string name;
   PlaceOnMean place;
 };
+/// The distance between two named points.
 struct NamedDistance {
   std::string name, from, to;  ///< from, to: names of points
 };

@@ -10,6 +10,7 @@
 
 namespace foramen {
 
+/// The projection of a shape onto a model.
 struct ProjectedShape {
   SimilarityTransform to_model;  ///< maps coordinates of the shape to those of the model
   Eigen::VectorXd scores;        ///< scores on all modes, in standard deviations

@@ -98,6 +98,7 @@ class ByteReader {
   std::string_view bytes_;
 };
 
+/// Writes one value to bytes.
 template <class Value>
 std::string to_bytes(const Value& value) {
   ByteWriter writer;
@@ -105,6 +106,7 @@ std::string to_bytes(const Value& value) {
   return writer.take();
 }
 
+/// Reads one value from the bytes of to_bytes(). Throws InternalError if bytes are left over.
 template <class Value>
 Value from_bytes(std::string_view bytes) {
   Value value;

@@ -33,7 +33,7 @@ class ConvergenceError : public Error {
   using Error::Error;
 };
 
-/// The user asked to stop; nothing is wrong.
+/// The user asked to stop. This is not a failure.
 class Cancelled : public Error {
  public:
   Cancelled() : Error("cancelled") {}

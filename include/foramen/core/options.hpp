@@ -39,6 +39,7 @@ enum class Nesting {
   inlined    ///< inner
 };
 
+/// The description of one option.
 struct OptionText {
   std::string_view name = {};  ///< in snake_case, without the unit
   std::string_view unit = {};  ///< "mm", "mm^2", "medians" ...; empty: a pure number or no number

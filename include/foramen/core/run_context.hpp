@@ -13,6 +13,7 @@ namespace foramen {
 
 class StageStore;
 
+/// A progress report.
 struct Progress {
   std::string stage;    ///< name of the running stage, e.g. "register"
   double fraction = 0;  ///< of this stage, 0 .. 1

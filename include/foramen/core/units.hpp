@@ -10,6 +10,7 @@ namespace foramen {
 
 enum class LengthUnit { millimetre, centimetre, metre, micrometre };
 
+/// The length of one unit in mm.
 double millimetres_per(LengthUnit unit);
 /// "mm", "cm", "m", "um".
 std::string_view name(LengthUnit unit);

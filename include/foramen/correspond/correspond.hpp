@@ -12,6 +12,7 @@
 
 namespace foramen {
 
+/// How correspondence is established.
 enum class Method {
   torus,  ///< correspondence through maps to a common flat torus
   icp,  ///< the baseline (Brett and Taylor 2000): landmarks of the remeshed reference to their closest points
@@ -99,6 +100,7 @@ struct CohortRegistration {
   double reference_seconds = 0;             ///< computing time for the choice of the reference and its map
 };
 
+/// A finished correspondence with the maps of the shapes.
 struct Correspondence {
   CohortRegistration registration;
   /// One map per registered shape, of its mesh; empty for a shape that is not mapped.

@@ -9,6 +9,7 @@
 
 namespace foramen {
 
+/// The kind of the first map of a shape.
 enum class InitialMap {
   torus,  ///< harmonic map (harmonic_torus_map())
   /// The initial map of the paper: the surface is cut along the loops and its border fixed to a rectangle
@@ -21,6 +22,7 @@ struct EnumWords<InitialMap> {
                                                                     {"rectangle", InitialMap::rectangle}};
 };
 
+/// A first map with the homology by which its loops were identified.
 struct FirstMap {
   TorusMap map;              ///< unit lattice, without flipped triangles
   Eigen::Matrix2i homology;  ///< A, see transfer_homology()

@@ -30,6 +30,7 @@ void describe(Visitor& visit, MaybeConst<TemplateOptions> auto& o) {
 TemplateSurface remeshed_template(const Mesh& surface, const TorusMap& map, int vertices,
                                   const RunContext& ctx);
 
+/// The mean of the shapes as a template.
 struct MeanTemplate {
   TemplateSurface surface;  ///< in the coordinates of the Procrustes mean
   /// Per shape: maps its coordinates to those of the mean (scale 1).

@@ -17,6 +17,7 @@ struct ReferenceLoops {
 /// The shortest loops of a genus-1 surface over all basepoints, oriented, with their Seifert matrix.
 ReferenceLoops find_reference_loops(const Mesh& mesh, const RunContext& ctx);
 
+/// The cost of an edge in the search for loops that follow those of the reference.
 enum class EdgeCost {
   /// [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm]; the cost of a
   /// path depends on its number of edges.

@@ -115,10 +115,11 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
         {.name = "iteration_limit", .range = at_least(1), .meaning = "most iterations of an optimisation"});
 }
 
+/// The registration of one shape of a group.
 struct GroupMember {
   std::optional<RegisteredShape> registered;  ///< unset: the shape was left out
   std::string failure;                        ///< why
-  double seconds = 0;                         ///< of this shape alone
+  double seconds = 0;                         ///< computing time for this shape
 };
 
 /// The template of the last round, to which all shapes are registered.
@@ -131,6 +132,7 @@ struct GroupTemplate {
   DisplacementPrior prior;  ///< prior of the displacement onto a new shape, see CohortPriors
 };
 
+/// The registration of all shapes of a group.
 struct GroupRegistration {
   std::vector<GroupMember> members;  ///< one per shape
   GroupTemplate last_template;
@@ -142,15 +144,15 @@ struct GroupRegistration {
 /// Registers all shapes with each other, in three parts.
 ///
 /// 1. Each shape is registered to the reference by itself. It is aligned rigidly, and the reference is bent
-///    onto it (deform_template()). The reference's loops are carried to the shape and give it a first map
-///    (first_map()); for this, the shape is moved to where it would lie if the bending were undone. Then the
-///    map is optimised: every vertex is drawn to its place on the reference (SurfaceTargets), the distortion
-///    of the map shape -> reference is kept low, and no triangle is flipped.
+///    onto it (deform_template()). The reference's loops are transferred to the shape and give it a first map
+///    (first_map()); for this, the bending is undone on the shape (its vertices are moved back). Then the map
+///    is optimised: every vertex is attracted to its corresponding point on the reference (SurfaceTargets),
+///    the distortion of the map shape -> reference is penalised, and no triangle is flipped.
 /// 2. Rounds follow in which the Procrustes mean of all shapes is the template, so that the reference is a
 ///    shape like the others. In each round the template is bent and the map optimised again.
-/// 3. Each map is carried to the input mesh of its shape, optimised there and certified. Its homology is
-///    checked anew (require_reference_homology()), and its direction is compared with that of the reference's
-///    map (map_agreement()).
+/// 3. Each map is extended to the input mesh of its shape, optimised there and certified. Its homology is
+///    checked again (require_reference_homology()), and its direction is compared with that of the
+///    reference's map (map_agreement()).
 ///
 /// A shape that fails a check is left out with the reason, and the rest go on.
 GroupRegistration register_group(const std::vector<Mesh>& shapes, const Reference& reference,

@@ -45,6 +45,7 @@ void describe(Visitor& visit, MaybeConst<RegisterOptions> auto& o) {
 /// in space, lambda = 0.00025.
 RegisterOptions paper_options();
 
+/// The reference shape: its loops and its map to the torus.
 struct Reference {
   ReferenceLoops loops;  ///< the loops and the mesh
   ShapeMap shape_map;
@@ -56,6 +57,7 @@ struct Reference {
 /// lattice stays the unit square.
 Reference map_reference(const Mesh& mesh, const RunContext& ctx, const RegisterOptions& options = {});
 
+/// A shape in correspondence with the reference.
 struct RegisteredShape {
   Alignment alignment;  ///< shape -> reference
   ShapeMap shape_map;

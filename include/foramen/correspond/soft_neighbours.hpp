@@ -8,10 +8,12 @@
 
 namespace foramen {
 
+/// The distance by which the nearest neighbours are searched.
 enum class NeighbourSearch {
   points,  ///< nearest in space, as in the paper; neighbours may lie on the other side of a thin wall
   oriented_points,  ///< nearest by position and normal (8 mm per unit of normal difference)
 };
+/// The weights w_jk of the neighbours.
 enum class NeighbourWeights {
   /// [becker2011 Eq. 4]: exp(-distance / mm), which is nearly 0 where shapes differ by several millimetres.
   absolute,

@@ -11,6 +11,7 @@
 
 namespace foramen {
 
+/// The loops of the reference transferred to a shape, and their periods.
 struct HomologyTransfer {
   Eigen::Matrix2i a;  ///< column k: periods of the transferred reference loop k under the shape's cocycle
   std::array<EdgeLoop, 2> transferred;  ///< closed loops on the shape

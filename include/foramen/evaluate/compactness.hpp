@@ -8,6 +8,7 @@
 
 namespace foramen {
 
+/// The compactness of the first modes.
 struct CompactnessAtModes {
   int modes = 0;
   double variance_per_landmark = 0;  ///< (1 / total weight) sum of the first M variances, mm^2

@@ -19,12 +19,14 @@ struct DrawnShapesOptions {
   std::uint64_t seed = 1;  ///< seed of the draws
 };
 
+/// Numbers of defects of one drawn shape.
 struct DrawnShape {
   int self_intersections = 0;  ///< pairs of triangles, see self_intersections()
   int folded = 0;              ///< triangles, see folded_over()
   int opposing_mean = 0;       ///< triangles, see opposing_mean()
 };
 
+/// The defects of all drawn shapes.
 struct DrawnShapes {
   std::vector<DrawnShape> draws;
   Estimate self_intersecting;  ///< share of draws with a self-intersection, 0 .. 1

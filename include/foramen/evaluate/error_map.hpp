@@ -8,6 +8,7 @@
 
 namespace foramen {
 
+/// Errors per landmark and flipped triangles of one shape.
 struct ErrorMap {
   std::vector<double> landmark_mm;  ///< per landmark: the largest distance in its neighbourhood, mm
   std::vector<int> plain_flips;     ///< indices of triangles, in order; see SampledFlips

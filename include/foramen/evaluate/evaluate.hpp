@@ -42,10 +42,12 @@ void describe(Visitor& visit, MaybeConst<EvaluationOptions> auto& o) {
   visit(o.seed, {.name = "seed", .meaning = "seed of all random numbers"});
 }
 
+/// Computing times, seconds.
 struct EvaluationSeconds {
   double model = 0, representation = 0, generalization = 0, specificity = 0, drawn = 0, truth = 0, refit = 0;
 };
 
+/// The result of evaluate().
 struct Evaluation {
   EvaluationOptions options;
   std::vector<std::string> names;

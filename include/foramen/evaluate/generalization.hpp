@@ -12,6 +12,7 @@
 
 namespace foramen {
 
+/// Which shapes are left out of a model together.
 enum class LeaveOut {
   shape,   ///< one shape at a time
   subject  ///< all shapes of one subject at a time, because they are not independent
@@ -44,6 +45,7 @@ void describe(Visitor& visit, MaybeConst<GeneralizationOptions> auto& o) {
   visit(o.seed, {.name = "seed", .meaning = "seed of those samples"});
 }
 
+/// Leave-one-out errors by number of modes.
 struct Generalization {
   LeaveOut leave_out = LeaveOut::shape;
   int groups = 0;                       ///< number of models that were built: one per shape or subject

@@ -11,6 +11,7 @@
 
 namespace foramen {
 
+/// The representation error of one shape.
 struct ShapeRepresentation {
   /// Distances between the corresponding mesh and the original input, in the size of the input, mm.
   SurfaceDistance distance;
@@ -23,6 +24,7 @@ struct ShapeRepresentation {
   ErrorMap map = {};                 ///< positions of these distances and flips
 };
 
+/// The representation error of a cohort.
 struct Representation {
   std::vector<ShapeRepresentation> shapes;
   Estimate mean_surface, p95, hausdorff;                  ///< over shapes, mm

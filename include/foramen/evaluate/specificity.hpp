@@ -19,6 +19,7 @@ struct SpecificityOptions {
   bool mean_surface = true;    ///< If false, these distances are 0.
 };
 
+/// The result of specificity().
 struct Specificity {
   /// One item per draw: for each kind of distance, that to the training shape that is closest in it.
   std::vector<ErrorsAtModes> by_modes;

@@ -18,10 +18,12 @@ struct TrueCorrespondence {
   std::vector<std::vector<Vec3>> shapes;
 };
 
+/// Summary of a set of errors.
 struct ErrorSummary {
   double mean = 0, p95 = 0, max = 0;  ///< mm
 };
 
+/// The result of truth_error().
 struct TruthError {
   ErrorSummary error;  ///< over landmarks and ordered pairs of shapes
   ErrorSummary floor;  ///< the same measure for perfect landmarks

@@ -51,6 +51,7 @@ void describe(Visitor& visit, MaybeConst<ExtractOptions> auto& o) {
 /// and the genus of the surface depends on it.
 enum class EdgeContact { joined, apart };
 
+/// How a surface was extracted and how far it deviates from the voxels.
 struct ExtractionReport {
   int genus = 0;
   EdgeContact contact = EdgeContact::joined;
@@ -68,6 +69,7 @@ struct ExtractionReport {
   int restrained = 0;            ///< vertices that were moved back, because the surface intersected itself
 };
 
+/// The surface of a label.
 struct ExtractedSurface {
   TriangleSoup surface;  ///< closed, manifold, one component, wound outward, no self-intersections; LPS mm
   ExtractionReport report;

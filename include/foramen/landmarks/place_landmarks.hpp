@@ -63,6 +63,7 @@ void describe(Visitor& visit, MaybeConst<PlaceLandmarksOptions> auto& o) {
   visit(o.spread, {.name = "resampling"});
 }
 
+/// Landmarks on all shapes.
 struct Landmarks {
   std::vector<std::string> names;  ///< names of the shapes, in the order of the correspondence
   /// Per shape: the landmarks on its surface, in its own coordinates, mm.

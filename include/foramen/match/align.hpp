@@ -37,6 +37,7 @@ void describe(Visitor& visit, MaybeConst<AlignOptions> auto& o) {
          .meaning = "largest motion of a sample point in an iteration at which the search stops"});
 }
 
+/// A rigid alignment and its quality.
 struct Alignment {
   /// Maps coordinates of `moving` to those of `fixed`.
   RigidTransform transform = RigidTransform::Identity();

@@ -17,6 +17,7 @@ struct OrientedPoint {
   bool at_border = false;  ///< Whether its triangle has a vertex on an open border of the surface.
 };
 
+/// The point and its normal moved by a rigid transform.
 OrientedPoint moved(const OrientedPoint& point, const RigidTransform& motion);
 
 /// The normalised mean of two normals; the second one if they are opposite.

@@ -57,6 +57,7 @@ struct VertexMatch {
 /// median distance of the given matches. Other matches may be weighted by it, too. \pre matches are not empty
 double match_cut(std::span<const VertexMatch> matches, const MatchOptions& options);
 
+/// The noise and the rejection distance of a set of matches.
 struct MatchScale {
   double noise_mm = 0;  ///< Standard deviation of an independent match in the normal direction. > 0.
   double cut_mm = 0;    ///< see match_cut(); > 0

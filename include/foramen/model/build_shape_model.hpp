@@ -24,6 +24,7 @@ void describe(Visitor& visit, MaybeConst<ShapeModelOptions> auto& o) {
         {.name = "landmark_weights", .meaning = "what landmarks count for: all alike, or by their area"});
 }
 
+/// A shape model and the alignment from which it was computed.
 struct AlignedModel {
   ProcrustesResult alignment;  ///< the aligned shapes from which the model was computed
   ShapeModel model;

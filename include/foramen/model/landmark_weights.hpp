@@ -11,6 +11,7 @@
 
 namespace foramen {
 
+/// How landmarks are weighted.
 enum class LandmarkWeights {
   equal,  ///< all landmarks count the same, so parts of the surface with denser landmarks count for more
   area    ///< a landmark counts by the area around it, so all parts of the surface count the same

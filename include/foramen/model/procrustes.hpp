@@ -17,6 +17,7 @@ struct SimilarityTransform {
   Vec3 translation = Vec3::Zero();
   Vec3 operator()(const Vec3& p) const { return scale * (rotation * p) + translation; }
   SimilarityTransform inverse() const;
+  /// The transform as a homogeneous 4 x 4 matrix.
   Eigen::Matrix4d matrix() const;
 };
 
@@ -35,6 +36,7 @@ struct EnumWords<ScaleMode> {
 SimilarityTransform fit_similarity(std::span<const Vec3> moving, std::span<const Vec3> fixed, ScaleMode scale,
                                    std::span<const double> weights = {});
 
+/// The result of procrustes().
 struct ProcrustesResult {
   std::vector<SimilarityTransform> transforms;  ///< input coordinates -> model coordinates
   std::vector<std::vector<Vec3>> aligned;

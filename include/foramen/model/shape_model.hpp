@@ -13,6 +13,7 @@
 
 namespace foramen {
 
+/// A normal distribution of shapes with P landmarks in K modes. Immutable.
 class ShapeModel {
  public:
   ShapeModel() = default;

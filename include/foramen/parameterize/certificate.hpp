@@ -6,6 +6,7 @@
 
 namespace foramen {
 
+/// The result of certify().
 struct MapCertificate {
   int triangles = 0;
   int flipped = 0;  ///< triangles of non-positive signed area, by exact integer arithmetic; must be 0

@@ -33,6 +33,7 @@ struct TargetMetric {
   double area = 0;  ///< of the target, mm^2
 };
 
+/// The method of minimisation.
 enum class Optimiser {
   newton,         ///< projected Newton over all vertices at once
   polak_ribiere,  ///< the paper's node-wise conjugate gradients
@@ -70,6 +71,7 @@ struct OptimiseMapOptions {
 
 enum class OptimiseStatus { converged, iteration_limit, line_search_stalled };
 
+/// The result of optimise_map().
 struct OptimisedMap {
   TorusMap map;
   OptimiseStatus status = OptimiseStatus::converged;

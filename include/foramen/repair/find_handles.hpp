@@ -19,6 +19,7 @@ struct Handle {
   Vec3 position = Vec3::Zero();  ///< centre of the first loop, mm
 };
 
+/// All handles of a surface.
 struct SurfaceHandles {
   /// The genus - 1 other handles; each is the shortest one of the surface without the handles before it.
   std::vector<Handle> extra;

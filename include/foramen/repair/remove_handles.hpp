@@ -36,6 +36,7 @@ void describe(Visitor& visit, MaybeConst<RemoveHandlesOptions> auto& o) {
 /// Whether a handle is noise of the segmentation, by the rule of the options.
 bool is_noise(const Handle& handle, const RemoveHandlesOptions& options);
 
+/// The result of remove_handles().
 struct HandleRemoval {
   Mesh mesh;  ///< genus 1
   /// Per vertex: its index in the input, invalid for a new vertex; kept vertices keep their order.

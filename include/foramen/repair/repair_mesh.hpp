@@ -55,12 +55,14 @@ enum class RepairKind {
 /// A description such as "holes filled".
 std::string_view description(RepairKind kind);
 
+/// All repairs of one kind.
 struct RepairChange {
   RepairKind kind = RepairKind::unused_vertices;
   std::vector<Vec3> positions;  ///< one position per change, mm: a vertex or the centre of the changed part
   int count() const { return static_cast<int>(positions.size()); }
 };
 
+/// Everything that repair_mesh() changed.
 struct RepairReport {
   /// One entry per kind of repair made; empty for a surface without defects.
   std::vector<RepairChange> changes;
@@ -75,6 +77,7 @@ struct RepairReport {
 /// One line: "holes filled: 1 at (1.0, 2.0, 3.0); cut a bridge, 2.3 mm round ...".
 std::string summary(const RepairReport& report);
 
+/// The result of repair_mesh().
 struct RepairedMesh {
   Mesh mesh;
   RepairReport report;

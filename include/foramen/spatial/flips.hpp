@@ -8,11 +8,12 @@
 
 namespace foramen {
 
+/// Triangles of a mesh that are flipped relative to the input surface.
 struct SampledFlips {
   /// Faces whose normal opposes that of the input surface at the point closest to the centroid.
   std::vector<FaceId> plain;
-  /// Faces of `plain` whose normal also opposes all input triangles within the closest distance plus 0.25 mean
-  /// edge lengths of the landmark mesh.
+  /// Faces of `plain` whose normal also opposes all input triangles within the closest distance plus 0.25
+  /// mean edge lengths of the landmark mesh.
   std::vector<FaceId> confirmed;
   std::vector<FaceId> degenerate;  ///< triangles of (nearly) zero area, which have no reliable normal
 };

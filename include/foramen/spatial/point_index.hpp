@@ -11,6 +11,7 @@
 
 namespace foramen {
 
+/// A point found by a search: its index and its squared distance in the metric of the search.
 struct NearPoint {
   int index = -1;
   double squared_distance = 0;

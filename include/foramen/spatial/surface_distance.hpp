@@ -20,6 +20,7 @@ struct SurfaceDistanceOptions {
   std::uint64_t seed = 1;
 };
 
+/// Symmetric distances between two surfaces.
 struct SurfaceDistance {
   double mean = 0;  ///< average of the two one-sided mean distances of samples, mm
   double p95 = 0;   ///< 95th percentile of the distances of both sample sets together, mm

@@ -14,6 +14,7 @@
 
 namespace foramen {
 
+/// A point of the surface that is closest to a query; mm, mm^2.
 struct ClosestPoint {
   SurfacePoint on;
   Vec3 point = Vec3::Zero();

@@ -51,6 +51,7 @@ void describe(Visitor& visit, MaybeConst<SynthOptions> auto& o) {
       {.name = "vertices", .range = at_least(1500).up_to(1000000), .meaning = "vertices of a shape, about"});
 }
 
+/// A synthetic shape and its true correspondence.
 struct SynthShape {
   TriangleSoup surface;  ///< the surface with its own triangulation, in random order and pose
   /// A common template mesh with the same deformation and pose as the surface; its triangles are the same for

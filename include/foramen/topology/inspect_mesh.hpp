@@ -11,6 +11,7 @@
 
 namespace foramen {
 
+/// The topology and the defects of a triangle soup.
 struct MeshReport {
   int vertices = 0, triangles = 0, edges = 0;
   int unused_vertices = 0;    ///< vertices that belong to no triangle

@@ -42,6 +42,7 @@ LoopSystem greedy_loops(const Mesh& mesh, VertexId basepoint, const EdgeMap<doub
 struct ShortestLoopsOptions {
   int evaluation_limit = 0;  ///< Stops with ConvergenceError after this many basepoints; 0: no limit.
 };
+/// The result of shortest_loops().
 struct ShortestLoopsResult {
   LoopSystem system;
   int evaluations = 0;  ///< basepoints whose loops were computed
