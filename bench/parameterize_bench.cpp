@@ -5,8 +5,10 @@
 #include <map>
 
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/parameterize/optimise_map.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 #include "parameterize/mapped_torus.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -1,11 +1,12 @@
 #include <benchmark/benchmark.h>
 
 #include "foramen/core/rng.hpp"
-#include "foramen/sampling/curvature_density.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
-#include "foramen/sampling/remesh.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "sampling/curvature_density.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 #include "sampling/refine_landmarks.hpp"
+#include "sampling/remesh.hpp"
 
 namespace foramen {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/flips.hpp"
-#include "foramen/spatial/point_index.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "spatial/flips.hpp"
+#include "spatial/point_index.hpp"
 #include "spatial/self_intersections.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/topology/periods.hpp"
 #include "support/cut_open.hpp"
 #include "support/double_torus.hpp"
 #include "support/exhaustive_loops.hpp"
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

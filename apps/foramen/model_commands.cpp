@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/core/parallel.hpp"
+#include "core/parallel.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "modelfiles/model_folder.hpp"
 

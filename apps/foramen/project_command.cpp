@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 #include "inputs/read_cohort.hpp"
 #include "io/atomic_file.hpp"
 #include "io/table_file.hpp"

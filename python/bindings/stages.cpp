@@ -6,8 +6,8 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/stages/build_model.hpp"
 #include "inputs/read_cohort.hpp"
 #include "modelfiles/usable_model.hpp"

@@ -1,4 +1,7 @@
 #include "foramen/apply/complete_surface.hpp"
+#include "match/oriented_points.hpp"
+#include "match/vertex_matches.hpp"
+#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,6 @@
 #include "foramen/apply/shape_distribution.hpp"
+#include "foramen/match/bending_options.hpp"
+#include "match/smooth_displacements.hpp"
 
 #include <cmath>
 #include <string>

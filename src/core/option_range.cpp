@@ -1,4 +1,4 @@
-#include "foramen/core/option_range.hpp"
+#include "foramen/core/options.hpp"
 
 #include <cmath>
 #include <cstdio>

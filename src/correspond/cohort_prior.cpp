@@ -1,4 +1,4 @@
-#include "foramen/correspond/cohort_prior.hpp"
+#include "correspond/cohort_prior.hpp"
 
 #include <algorithm>
 #include <cmath>

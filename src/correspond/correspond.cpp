@@ -1,4 +1,8 @@
 #include "foramen/correspond/correspond.hpp"
+#include "correspond/register_group.hpp"
+#include "correspond/register_shape.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -9,10 +13,10 @@
 #include <utility>
 
 #include "core/freed_memory.hpp"
+#include "core/parallel.hpp"
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/core/stage_store.hpp"
 
 namespace foramen {

@@ -1,4 +1,4 @@
-#include "foramen/correspond/description_length.hpp"
+#include "correspond/description_length.hpp"
 
 #include <cmath>
 #include <numeric>

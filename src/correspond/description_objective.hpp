@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "foramen/correspond/template_surface.hpp"
-#include "foramen/parameterize/optimise_map.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
+#include "correspond/template_surface.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,10 @@
 #include "correspond/map_steps.hpp"
+#include "correspond/first_map.hpp"
+#include "correspond/shape_map.hpp"
+#include "correspond/transfer_homology.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
 
 #include <utility>
 

@@ -4,7 +4,11 @@
 
 #include <functional>
 
-#include "foramen/correspond/register_shape.hpp"
+#include "correspond/first_map.hpp"
+#include "correspond/register_shape.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
 #include "simplify/working_mesh.hpp"
 
 namespace foramen {

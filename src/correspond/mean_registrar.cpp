@@ -1,4 +1,11 @@
 #include "foramen/correspond/mean_registrar.hpp"
+#include "correspond/cohort_prior.hpp"
+#include "correspond/propagate_loops.hpp"
+#include "correspond/transfer_homology.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "sampling/lift_to_surface.hpp"
+#include "topology/periods.hpp"
 
 #include <utility>
 

@@ -1,11 +1,13 @@
-#include "foramen/correspond/mean_template.hpp"
+#include "correspond/mean_template.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <utility>
 
-#include "foramen/core/parallel.hpp"
-#include "foramen/sampling/curvature_density.hpp"
-#include "foramen/sampling/remesh.hpp"
-#include "foramen/sampling/torus_grid.hpp"
+#include "core/parallel.hpp"
+#include "sampling/curvature_density.hpp"
+#include "sampling/remesh.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen {
 

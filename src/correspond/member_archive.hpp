@@ -5,6 +5,7 @@
 #include "correspond/member_steps.hpp"
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/stage_store.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 

@@ -6,9 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "correspond/register_group.hpp"
+#include "correspond/register_shape.hpp"
 #include "correspond/template_metric.hpp"
 #include "foramen/core/stage_store.hpp"
-#include "foramen/correspond/register_group.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/match/bending_options.hpp"
+#include "parameterize/optimise_map.hpp"
 #include "simplify/working_mesh.hpp"
 
 namespace foramen {

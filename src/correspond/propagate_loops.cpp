@@ -1,13 +1,13 @@
-#include "foramen/correspond/propagate_loops.hpp"
+#include "correspond/propagate_loops.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
-#include "foramen/topology/periods.hpp"
+#include "spatial/point_index.hpp"
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,5 @@
-#include "foramen/correspond/register_group.hpp"
+#include "correspond/register_group.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -11,12 +12,12 @@
 #include <string>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "correspond/member_archive.hpp"
 #include "correspond/member_steps.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/parallel.hpp"
-#include "foramen/sampling/torus_grid.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen {
 namespace {

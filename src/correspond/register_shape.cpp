@@ -1,4 +1,7 @@
-#include "foramen/correspond/register_shape.hpp"
+#include "correspond/register_shape.hpp"
+#include "correspond/propagate_loops.hpp"
+#include "foramen/parameterize/optimiser.hpp"
+#include "parameterize/optimise_map.hpp"
 
 #include "correspond/map_steps.hpp"
 #include "foramen/core/geometry.hpp"

@@ -2,8 +2,9 @@
 /// \file
 /// A registered shape and a reference as bytes (byte_archive.hpp), for the store.
 
+#include "correspond/register_shape.hpp"
 #include "foramen/core/byte_archive.hpp"
-#include "foramen/correspond/register_shape.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 namespace foramen {
 

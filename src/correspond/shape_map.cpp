@@ -1,4 +1,4 @@
-#include "foramen/correspond/shape_map.hpp"
+#include "correspond/shape_map.hpp"
 
 #include <string>
 

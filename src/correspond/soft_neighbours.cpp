@@ -1,11 +1,12 @@
-#include "foramen/correspond/soft_neighbours.hpp"
+#include "correspond/soft_neighbours.hpp"
+#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "foramen/core/error.hpp"
-#include "foramen/match/oriented_points.hpp"
+#include "match/oriented_points.hpp"
 
 namespace foramen {
 namespace {

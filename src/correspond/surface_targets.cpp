@@ -1,4 +1,5 @@
-#include "foramen/correspond/surface_targets.hpp"
+#include "correspond/surface_targets.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <algorithm>
 #include <cmath>

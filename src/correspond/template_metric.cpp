@@ -1,4 +1,5 @@
 #include "correspond/template_metric.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -2,9 +2,10 @@
 /// \file
 /// The metric of the template, in which distortion is measured instead of in the flat torus.
 
-#include "foramen/correspond/template_surface.hpp"
-#include "foramen/parameterize/optimise_map.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
+#include "correspond/template_surface.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
 

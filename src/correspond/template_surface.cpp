@@ -1,4 +1,4 @@
-#include "foramen/correspond/template_surface.hpp"
+#include "correspond/template_surface.hpp"
 
 #include <Eigen/LU>
 

@@ -1,11 +1,12 @@
-#include "foramen/correspond/transfer_homology.hpp"
+#include "correspond/transfer_homology.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <string>
 
 #include "correspond/vertex_path.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/match/oriented_points.hpp"
+#include "match/oriented_points.hpp"
 #include "topology/linking.hpp"
 
 namespace foramen {

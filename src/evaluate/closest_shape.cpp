@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "foramen/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace foramen::detail {
 namespace {

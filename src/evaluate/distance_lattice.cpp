@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/parallel.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/parallel.hpp"
 
 namespace foramen::detail {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
+#include "core/parallel.hpp"
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
-#include "foramen/spatial/flips.hpp"
+#include "spatial/flips.hpp"
 #include "spatial/self_intersections.hpp"
 
 namespace foramen {

@@ -1,4 +1,4 @@
-#include "foramen/evaluate/ensemble.hpp"
+#include "foramen/evaluate/specificity.hpp"
 
 #include "foramen/core/error.hpp"
 

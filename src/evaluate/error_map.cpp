@@ -1,4 +1,4 @@
-#include "foramen/evaluate/error_map.hpp"
+#include "evaluate/error_map.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,9 @@
 #include "foramen/evaluate/representation.hpp"
+#include "evaluate/error_map.hpp"
 
+#include "core/parallel.hpp"
 #include "evaluate/stage_progress.hpp"
-#include "foramen/core/parallel.hpp"
-#include "foramen/spatial/flips.hpp"
+#include "spatial/flips.hpp"
 #include "spatial/self_intersections.hpp"
 
 namespace foramen {

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <string>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 
 namespace foramen {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 
 namespace foramen {
 namespace {

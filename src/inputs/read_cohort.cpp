@@ -9,9 +9,9 @@
 #include <utility>
 #include <variant>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 #include "io/sha256.hpp"
 

@@ -48,7 +48,7 @@ class H5JsonWriter {
   };
   void dataset(const std::string& path, Object object);
 
-  std::map<std::string, Object> objects_;  // by path; the root's is empty
+  std::map<std::string, Object> objects_;  // by path; the path of the root is empty
 };
 
 /// Every member throws IoError with the file, the path and what was found.

@@ -1,14 +1,19 @@
 #include "landmarks/landmarks_by_torus.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
+#include "sampling/curvature_density.hpp"
+#include "sampling/error_density.hpp"
+#include "sampling/remesh.hpp"
 
 #include <memory>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
-#include "foramen/sampling/torus_grid.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/refine_landmarks.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen {
 namespace {

@@ -1,11 +1,12 @@
 #include "foramen/match/align.hpp"
+#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <string>
 
 #include "foramen/core/error.hpp"
-#include "foramen/match/oriented_points.hpp"
+#include "match/oriented_points.hpp"
 #include "match/principal_frame.hpp"
 #include "match/rigid_descent.hpp"
 

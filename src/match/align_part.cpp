@@ -1,4 +1,5 @@
 #include "foramen/match/align_part.hpp"
+#include "match/oriented_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 #include "match/rigid_descent.hpp"
 
 namespace foramen {

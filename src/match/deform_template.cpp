@@ -1,4 +1,6 @@
-#include "foramen/match/deform_template.hpp"
+#include "match/deform_template.hpp"
+#include "match/oriented_points.hpp"
+#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "foramen/match/oriented_points.hpp"
+#include "match/oriented_points.hpp"
 
 #include <utility>
 

@@ -1,4 +1,5 @@
 #include "match/rigid_descent.hpp"
+#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "foramen/core/run_context.hpp"
-#include "foramen/match/oriented_points.hpp"
+#include "match/oriented_points.hpp"
 #include "match/rigid_step.hpp"
 
 namespace foramen::detail {

@@ -1,4 +1,4 @@
-#include "foramen/match/smooth_displacements.hpp"
+#include "match/smooth_displacements.hpp"
 
 #include <algorithm>
 #include <cmath>

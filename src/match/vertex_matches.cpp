@@ -1,4 +1,4 @@
-#include "foramen/match/vertex_matches.hpp"
+#include "match/vertex_matches.hpp"
 
 #include <algorithm>
 #include <utility>

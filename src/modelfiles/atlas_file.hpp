@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/sampling/remesh.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "sampling/remesh.hpp"
 
 namespace foramen {
 

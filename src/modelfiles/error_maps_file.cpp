@@ -1,4 +1,5 @@
 #include "modelfiles/error_maps_file.hpp"
+#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 

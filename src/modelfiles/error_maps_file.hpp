@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "foramen/evaluate/error_map.hpp"
+#include "evaluate/error_map.hpp"
+#include "foramen/evaluate/representation.hpp"
 
 namespace foramen {
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/evaluate/evaluate.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "modelfiles/atlas_file.hpp"
 #include "modelfiles/model_folder.hpp"
 

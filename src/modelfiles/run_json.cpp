@@ -1,4 +1,5 @@
 #include "modelfiles/run_json.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <sys/resource.h>
 

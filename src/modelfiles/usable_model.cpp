@@ -1,4 +1,5 @@
 #include "modelfiles/usable_model.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <cmath>
 #include <utility>

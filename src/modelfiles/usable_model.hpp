@@ -8,6 +8,7 @@
 
 #include "foramen/correspond/mean_registrar.hpp"
 #include "foramen/evaluate/generalization.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "modelfiles/atlas_file.hpp"
 #include "modelfiles/model_folder.hpp"
 

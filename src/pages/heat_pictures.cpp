@@ -5,6 +5,7 @@
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "pages/model_pictures.hpp"
 #include "render/colour_scale.hpp"
 #include "render/vertebra_scenes.hpp"

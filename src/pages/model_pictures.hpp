@@ -8,7 +8,8 @@
 
 #include <Eigen/Geometry>
 
-#include "foramen/evaluate/error_map.hpp"
+#include "evaluate/error_map.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "modelfiles/atlas_file.hpp"
 #include "report/report_page.hpp"

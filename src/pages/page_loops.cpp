@@ -1,4 +1,5 @@
 #include "pages/page_loops.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <cmath>
 #include <optional>
@@ -7,8 +8,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
 #include "render/vertebra_scenes.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
 namespace {

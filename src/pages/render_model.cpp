@@ -1,4 +1,5 @@
 #include "pages/render_model.hpp"
+#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 #include <utility>

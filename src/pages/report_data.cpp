@@ -1,4 +1,5 @@
 #include "pages/report_data.hpp"
+#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 /// Initial maps to the torus, both provably without flipped triangles.
 
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/topology/periods.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,5 @@
 #include "parameterize/map_energy.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 
 #include <cmath>
 #include <limits>

@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "foramen/parameterize/optimise_map.hpp"
 #include "parameterize/distortion.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 

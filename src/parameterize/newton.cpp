@@ -1,4 +1,5 @@
 #include "parameterize/newton.hpp"
+#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>

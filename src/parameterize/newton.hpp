@@ -4,6 +4,7 @@
 
 #include "foramen/core/run_context.hpp"
 #include "parameterize/map_energy.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 

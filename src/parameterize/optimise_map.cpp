@@ -1,4 +1,4 @@
-#include "foramen/parameterize/optimise_map.hpp"
+#include "parameterize/optimise_map.hpp"
 
 #include <cmath>
 #include <utility>

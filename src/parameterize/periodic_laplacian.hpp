@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/topology/periods.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 

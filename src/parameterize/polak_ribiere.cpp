@@ -1,4 +1,5 @@
 #include "parameterize/polak_ribiere.hpp"
+#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>

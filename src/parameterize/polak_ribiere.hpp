@@ -3,6 +3,7 @@
 /// Node-wise descent as in the paper: the nodes move one after another inside the kernels of their one-rings.
 
 #include "parameterize/newton.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 

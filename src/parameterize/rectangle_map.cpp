@@ -6,6 +6,7 @@
 #include "foramen/core/geometry.hpp"
 #include "parameterize/initial_map.hpp"
 #include "parameterize/periodic_laplacian.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

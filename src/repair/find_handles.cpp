@@ -1,4 +1,5 @@
 #include "foramen/repair/find_handles.hpp"
+#include "topology/periods.hpp"
 
 #include <cstdlib>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "foramen/sampling/curvature_density.hpp"
+#include "sampling/curvature_density.hpp"
 
 #include <algorithm>
 #include <cmath>

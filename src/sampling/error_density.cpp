@@ -1,10 +1,10 @@
-#include "foramen/sampling/error_density.hpp"
+#include "sampling/error_density.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 
 namespace foramen {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "foramen/sampling/lift_to_surface.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/torus_triangulation.hpp"
 
 namespace foramen::detail {

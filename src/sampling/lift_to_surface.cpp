@@ -1,4 +1,4 @@
-#include "foramen/sampling/lift_to_surface.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 #include <algorithm>
 #include <bit>

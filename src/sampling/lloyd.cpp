@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "foramen/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 namespace foramen::detail {
 namespace {

@@ -6,9 +6,10 @@
 #include <span>
 
 #include "foramen/core/run_context.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
-#include "foramen/sampling/remesh.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/lift_to_surface.hpp"
+#include "sampling/remesh.hpp"
 
 namespace foramen {
 

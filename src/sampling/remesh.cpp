@@ -1,4 +1,4 @@
-#include "foramen/sampling/remesh.hpp"
+#include "sampling/remesh.hpp"
 
 #include <string>
 

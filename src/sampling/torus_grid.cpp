@@ -1,4 +1,4 @@
-#include "foramen/sampling/torus_grid.hpp"
+#include "sampling/torus_grid.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include "sampling/torus_triangulation.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 #include <map>

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/sampling/remesh.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/fixed_torus.hpp"
+#include "sampling/remesh.hpp"
 
 namespace foramen::detail {
 

@@ -11,7 +11,7 @@
 
 #include <nanoflann.hpp>
 
-#include "foramen/spatial/point_index.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen::detail {
 

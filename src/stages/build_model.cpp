@@ -1,4 +1,6 @@
 #include "foramen/stages/build_model.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <chrono>
 

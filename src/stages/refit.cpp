@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/core/stage_store.hpp"
 #include "stages/model_archive.hpp"
 

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <string>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/core/rng.hpp"
 #include "synth/isosurface.hpp"
 #include "synth/random_flow.hpp"

@@ -1,4 +1,5 @@
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 #include <array>
 #include <cstdlib>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "foramen/topology/shortest_loops.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 

@@ -1,4 +1,4 @@
-#include "foramen/topology/periods.hpp"
+#include "topology/periods.hpp"
 
 #include <string>
 

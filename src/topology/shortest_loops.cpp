@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 #include "topology/loop_graph.hpp"
 
 namespace foramen {

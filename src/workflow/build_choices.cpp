@@ -1,4 +1,6 @@
 #include "workflow/build_choices.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
 
 #include <array>
 

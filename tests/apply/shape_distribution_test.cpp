@@ -1,4 +1,5 @@
 #include "foramen/apply/shape_distribution.hpp"
+#include "foramen/match/bending_options.hpp"
 
 #include <gtest/gtest.h>
 

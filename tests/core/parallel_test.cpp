@@ -1,4 +1,4 @@
-#include "foramen/core/parallel.hpp"
+#include "core/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,11 +1,12 @@
-#include "foramen/correspond/cohort_prior.hpp"
+#include "correspond/cohort_prior.hpp"
+#include "foramen/correspond/group_options.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/match/smooth_displacements.hpp"
+#include "match/smooth_displacements.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen {

@@ -1,4 +1,5 @@
-#include "foramen/correspond/description_length.hpp"
+#include "correspond/description_length.hpp"
+#include "foramen/correspond/group_options.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #include "correspond/description_objective.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,8 @@
-#include "foramen/correspond/first_map.hpp"
+#include "correspond/first_map.hpp"
+#include "correspond/propagate_loops.hpp"
+#include "correspond/transfer_homology.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <cstdlib>
 

@@ -1,4 +1,6 @@
 #include "foramen/correspond/mean_registrar.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <cmath>
 #include <utility>

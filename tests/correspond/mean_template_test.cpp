@@ -1,4 +1,7 @@
-#include "foramen/correspond/mean_template.hpp"
+#include "correspond/mean_template.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 
@@ -6,8 +9,8 @@
 
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/sampling/torus_grid.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen {
 namespace {

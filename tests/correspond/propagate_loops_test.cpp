@@ -1,10 +1,12 @@
-#include "foramen/correspond/propagate_loops.hpp"
+#include "correspond/propagate_loops.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/topology/periods.hpp"
 #include "support/meshes.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

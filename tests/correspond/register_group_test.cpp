@@ -1,4 +1,7 @@
-#include "foramen/correspond/register_group.hpp"
+#include "correspond/register_group.hpp"
+#include "correspond/register_shape.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,5 @@
-#include "foramen/correspond/register_shape.hpp"
+#include "correspond/register_shape.hpp"
+#include "foramen/correspond/register_options.hpp"
 
 #include <gtest/gtest.h>
 

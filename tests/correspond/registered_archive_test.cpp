@@ -1,6 +1,8 @@
 // What is kept of a registration comes back whole: every number is set to one of its own, so that one that is
 // not kept, or two that are exchanged, show.
 #include "correspond/registered_archive.hpp"
+#include "correspond/register_shape.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "correspond/member_archive.hpp"
+#include "correspond/register_group.hpp"
+#include "correspond/register_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/register_group.hpp"
+#include "foramen/correspond/group_options.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/memory_store.hpp"
 #include "support/torus_cohort.hpp"

@@ -1,4 +1,6 @@
-#include "foramen/correspond/shape_map.hpp"
+#include "correspond/shape_map.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,4 +1,5 @@
-#include "foramen/correspond/soft_neighbours.hpp"
+#include "correspond/soft_neighbours.hpp"
+#include "foramen/correspond/register_options.hpp"
 
 #include <gtest/gtest.h>
 

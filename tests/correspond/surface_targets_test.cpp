@@ -1,4 +1,6 @@
-#include "foramen/correspond/surface_targets.hpp"
+#include "correspond/surface_targets.hpp"
+#include "correspond/template_surface.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-#include "foramen/correspond/template_surface.hpp"
+#include "correspond/template_surface.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 

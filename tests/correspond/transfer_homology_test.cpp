@@ -1,4 +1,7 @@
-#include "foramen/correspond/transfer_homology.hpp"
+#include "correspond/transfer_homology.hpp"
+#include "correspond/propagate_loops.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "topology/periods.hpp"
 
 #include <gtest/gtest.h>
 

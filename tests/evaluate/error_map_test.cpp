@@ -1,4 +1,6 @@
-#include "foramen/evaluate/error_map.hpp"
+#include "evaluate/error_map.hpp"
+#include "foramen/evaluate/representation.hpp"
+#include "spatial/flips.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/spatial/flips.hpp"
+#include "spatial/flips.hpp"
 #include "spatial/self_intersections.hpp"
 #include "support/torus_cohort.hpp"
 

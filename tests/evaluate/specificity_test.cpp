@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "foramen/core/error.hpp"
-#include "foramen/evaluate/ensemble.hpp"
+#include "foramen/evaluate/specificity.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "support/torus_cohort.hpp"
 

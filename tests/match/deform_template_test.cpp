@@ -1,4 +1,4 @@
-#include "foramen/match/deform_template.hpp"
+#include "match/deform_template.hpp"
 
 #include <cmath>
 
@@ -7,8 +7,8 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/match/smooth_displacements.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "match/smooth_displacements.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/torus_cohort.hpp"
 

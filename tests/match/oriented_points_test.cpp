@@ -1,4 +1,5 @@
-#include "foramen/match/oriented_points.hpp"
+#include "match/oriented_points.hpp"
+#include "spatial/point_index.hpp"
 
 #include <gtest/gtest.h>
 

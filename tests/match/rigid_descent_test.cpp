@@ -1,4 +1,5 @@
 #include "match/rigid_descent.hpp"
+#include "match/oriented_points.hpp"
 
 #include <gtest/gtest.h>
 

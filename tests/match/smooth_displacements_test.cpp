@@ -1,4 +1,5 @@
-#include "foramen/match/smooth_displacements.hpp"
+#include "match/smooth_displacements.hpp"
+#include "foramen/match/bending_options.hpp"
 
 #include <cmath>
 

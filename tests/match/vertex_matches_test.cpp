@@ -1,4 +1,5 @@
-#include "foramen/match/vertex_matches.hpp"
+#include "match/vertex_matches.hpp"
+#include "foramen/match/bending_options.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

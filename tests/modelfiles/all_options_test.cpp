@@ -6,9 +6,13 @@
 
 #include "foramen/apply/complete_surface.hpp"
 #include "foramen/core/options.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
 #include "foramen/evaluate/evaluate.hpp"
 #include "foramen/extract/extract_label.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "foramen/repair/repair_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 #include "foramen/stages/build_model.hpp"
 #include "foramen/synth/synth_cohort.hpp"
 #include "modelfiles/options_json.hpp"

@@ -1,4 +1,5 @@
 #include "parameterize/initial_map.hpp"
+#include "topology/periods.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@
 
 #include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen::testing {
 

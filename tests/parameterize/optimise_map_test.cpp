@@ -1,4 +1,6 @@
-#include "foramen/parameterize/optimise_map.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "foramen/parameterize/optimiser.hpp"
+#include "topology/periods.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

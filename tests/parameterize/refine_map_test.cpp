@@ -11,11 +11,11 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/parameterize/optimise_map.hpp"
-#include "foramen/topology/periods.hpp"
 #include "parameterize/initial_map.hpp"
+#include "parameterize/optimise_map.hpp"
 #include "support/meshes.hpp"
 #include "support/real_meshes.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -12,6 +12,7 @@
 #include "parameterize/flip_free_step.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "parameterize/newton_system.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {

@@ -1,4 +1,6 @@
-#include "foramen/sampling/error_density.hpp"
+#include "sampling/error_density.hpp"
+#include "foramen/sampling/sampling_options.hpp"
+#include "sampling/torus_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

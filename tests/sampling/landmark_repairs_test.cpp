@@ -1,4 +1,5 @@
 #include "sampling/landmark_repairs.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 

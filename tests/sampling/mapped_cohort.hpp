@@ -7,10 +7,13 @@
 #include <utility>
 #include <vector>
 
-#include "foramen/sampling/curvature_density.hpp"
-#include "foramen/spatial/flips.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "sampling/curvature_density.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 #include "sampling/refine_landmarks.hpp"
+#include "sampling/remesh.hpp"
+#include "spatial/flips.hpp"
 #include "spatial/self_intersections.hpp"
 
 namespace foramen::testing {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "foramen/sampling/torus_grid.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen::testing {
 

@@ -1,4 +1,5 @@
 #include "sampling/refine_landmarks.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
-#include "foramen/sampling/remesh.hpp"
-#include "foramen/sampling/curvature_density.hpp"
+#include "sampling/remesh.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
+#include "sampling/curvature_density.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +10,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 
 namespace foramen {

@@ -1,4 +1,4 @@
-#include "foramen/spatial/flips.hpp"
+#include "spatial/flips.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "foramen/spatial/point_index.hpp"
+#include "spatial/point_index.hpp"
 
 #include <gtest/gtest.h>
 

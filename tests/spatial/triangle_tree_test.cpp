@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/core/rng.hpp"
 #include "support/heap_in_use.hpp"
 #include "support/meshes.hpp"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/parallel.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 
 namespace foramen::testing {

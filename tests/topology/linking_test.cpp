@@ -7,9 +7,9 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/topology/periods.hpp"
 #include "support/real_meshes.hpp"
 #include "topology/loop_fixtures.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

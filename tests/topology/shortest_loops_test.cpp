@@ -10,10 +10,10 @@
 #include <tuple>
 
 #include "foramen/core/error.hpp"
-#include "foramen/topology/periods.hpp"
 #include "support/exhaustive_loops.hpp"
 #include "support/real_meshes.hpp"
 #include "topology/loop_fixtures.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

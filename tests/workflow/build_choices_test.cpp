@@ -1,4 +1,7 @@
 #include "workflow/build_choices.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 
 #include <set>
 

@@ -8,7 +8,7 @@
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/match/align_part.hpp"
-#include "foramen/match/vertex_matches.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "foramen/model/procrustes.hpp"
 
 namespace foramen {

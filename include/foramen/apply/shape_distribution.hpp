@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "foramen/match/smooth_displacements.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "foramen/model/shape_model.hpp"
 
 namespace foramen {

@@ -28,9 +28,27 @@
 #include "foramen/core/byte_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/maybe_const.hpp"
-#include "foramen/core/option_range.hpp"
 
 namespace foramen {
+
+/// An interval of numbers, open or closed at either end. By default it contains every number.
+struct OptionRange {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_excluded = false, most_excluded = false;
+
+  /// The same interval with a closed upper end; below() gives an open one.
+  constexpr OptionRange up_to(double limit) const { return {least, limit, least_excluded, false}; }
+  constexpr OptionRange below(double limit) const { return {least, limit, least_excluded, true}; }
+
+  /// Whether it contains the value; no interval contains NaN.
+  bool contains(double value) const;
+  /// "> 0", "at least 1", "in (0, 1]"; empty for every number.
+  std::string text() const;
+};
+
+constexpr OptionRange above(double limit) { return {.least = limit, .least_excluded = true}; }
+constexpr OptionRange at_least(double limit) { return {.least = limit}; }
 
 /// How the names of the options in a nested struct are formed.
 enum class Nesting {
@@ -44,7 +62,7 @@ struct OptionText {
   std::string_view name = {};  ///< in snake_case, without the unit
   std::string_view unit = {};  ///< "mm", "mm^2", "medians" ...; empty: a pure number or no number
   OptionRange range = {};      ///< of the number, or of every number of a list
-  /// One phrase for the user that says what the option decides, without unit, range and default.
+  /// What the option decides, in one phrase for the user, without unit, range and default.
   std::string_view meaning = {};
   Nesting nesting = Nesting::object;  ///< of a described struct
 };

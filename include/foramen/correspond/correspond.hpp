@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "foramen/core/shape.hpp"
-#include "foramen/correspond/register_group.hpp"
-#include "foramen/correspond/register_shape.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/match/align.hpp"
 
 namespace foramen {
 
@@ -79,12 +81,6 @@ struct FailedShape {
   std::string name, reason;
 };
 
-/// The data to which a further shape is registered.
-struct RegistrationFrame {
-  Reference reference;  ///< the reference with its final map
-  GroupTemplate group;  ///< for Objective::surface
-};
-
 /// A finished correspondence, except for the maps.
 struct CohortRegistration {
   Method method = Method::torus;
@@ -128,8 +124,8 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
                           const RunContext& ctx);
 
 /// Ranks the shapes (indices) from the most average one on: by the sum of the absolute deviations of log area
-/// and log volume from the medians of the cohort. Ties keep the order of the shapes. Shapes of more than 100
-/// 000 vertices come last, because the search for their loops takes minutes.
+/// and log volume from the medians of the cohort. Ties keep the order of the shapes. Shapes of more than
+/// 100 000 vertices come last, because the search for their loops takes minutes.
 std::vector<int> rank_references(std::span<const Shape> shapes);
 
 }  // namespace foramen

@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "foramen/correspond/register_group.hpp"
+#include "foramen/core/run_context.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 namespace foramen {
 

@@ -9,7 +9,6 @@
 #include "foramen/core/options.hpp"
 #include "foramen/evaluate/compactness.hpp"
 #include "foramen/evaluate/drawn_shapes.hpp"
-#include "foramen/evaluate/ensemble.hpp"
 #include "foramen/evaluate/generalization.hpp"
 #include "foramen/evaluate/representation.hpp"
 #include "foramen/evaluate/specificity.hpp"

@@ -6,10 +6,16 @@
 
 #include "foramen/core/run_context.hpp"
 #include "foramen/evaluate/cohort.hpp"
-#include "foramen/evaluate/error_map.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 
 namespace foramen {
+
+/// The local deviation of a corresponding mesh from its input surface.
+struct ErrorMap {
+  std::vector<double> landmark_mm;  ///< per landmark: the largest distance in its neighbourhood, mm
+  std::vector<int> plain_flips;     ///< indices of triangles, in order; see SampledFlips
+  std::vector<int> confirmed_flips;
+};
 
 /// The representation error of one shape.
 struct ShapeRepresentation {

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Specificity: how close shapes drawn from the model are to training shapes. The same draws serve the form
-/// of the paper (ensemble.hpp).
+/// of the paper (ensemble_form()).
 
 #include <cstdint>
 #include <vector>
@@ -35,5 +35,19 @@ struct Specificity {
 /// threads.
 Specificity specificity(const AlignedCohort& cohort, int last_mode, const SpecificityOptions& options,
                         const RunContext& ctx);
+
+/// Both measures in the form of the paper for one number of modes.
+struct EnsembleAtModes {
+  int modes = 0;
+  /// Mean over training shapes of the smallest Hausdorff distance to a draw, mm. This is in-sample, because
+  /// the model was built from these shapes.
+  Estimate generalization;
+  Estimate specificity;  ///< mean over draws of the smallest Hausdorff distance to a training shape, mm
+};
+
+/// foramen's interpretation of "we sampled 1000 normally distributed model instances and compared them to the
+/// training set using the Hausdorff metric" \cite becker2011. \pre the specificity was computed with its
+/// Hausdorff distances
+std::vector<EnsembleAtModes> ensemble_form(const Specificity& specificity);
 
 }  // namespace foramen

@@ -11,9 +11,8 @@
 #include "foramen/core/options.hpp"
 #include "foramen/correspond/correspond.hpp"
 #include "foramen/model/procrustes.hpp"
-#include "foramen/sampling/curvature_density.hpp"
-#include "foramen/sampling/error_density.hpp"
-#include "foramen/sampling/remesh.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 
 namespace foramen {
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/landmarks/place_landmarks.hpp"
 #include "foramen/model/build_shape_model.hpp"
 

@@ -5,25 +5,15 @@
 #include <span>
 #include <vector>
 
+#include "correspond/template_surface.hpp"
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/correspond/template_surface.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/model/procrustes.hpp"
-#include "foramen/sampling/lift_to_surface.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
-
-struct TemplateOptions {
-  int vertices = 8000;
-  int grid_points = 30000;
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<TemplateOptions> auto& o) {
-  visit(o.vertices, {.name = "vertices", .range = at_least(16), .meaning = "vertices of the template"});
-  visit(o.grid_points, {.name = "grid_points",
-                        .range = at_least(16),
-                        .meaning = "points of the torus grid on which the shapes are averaged"});
-}
 
 /// Remeshes a surface to `vertices` vertices that are distributed by curvature (remesh()), with their map to
 /// the torus.

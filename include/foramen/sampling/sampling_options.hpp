@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The density of landmarks on a surface, which is higher where the surface is curved.
+/// How landmarks are spread over a surface: options of curvature_density(), raised_by_error() and
+/// remesh().
 
-#include "foramen/core/mesh.hpp"
 #include "foramen/core/options.hpp"
 
 namespace foramen {
@@ -41,12 +41,37 @@ void describe(Visitor& visit, MaybeConst<CurvatureDensityOptions> auto& o) {
            "of the surface's area"});
 }
 
-/// The density per vertex, dimensionless, with a largest value of about 1. It is \f$ (\kappa /
-/// \kappa_{99})^{contrast} \f$ with the curvature measure \f$ \kappa = (|K| + H^2) / 2 \f$ \cite fuhrmann2010
-/// and its 99 % quantile \f$ \kappa_{99} \f$, limited to the range from options.floor to 1 and then smoothed.
-/// K and H come from the normal-cycle curvature tensor \cite cohensteiner2003 averaged over
-/// options.curvature_radius, in which the steps of a voxel surface cancel. Throws InvalidInput for options
-/// out of range and for a surface of zero area.
-VertexMap<double> curvature_density(const Mesh& surface, const CurvatureDensityOptions& options = {});
+struct ErrorDensityOptions {
+  double accepted_mm = 0.5;
+  double exponent = 1.0;
+  int spread_rings = 3;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<ErrorDensityOptions> auto& o) {
+  visit(o.accepted_mm,
+        {.name = "accepted_error",
+         .unit = "mm",
+         .range = above(0),
+         .meaning = "distance between a shape and its landmarks up to which no landmarks are added"});
+  visit(
+      o.exponent,
+      {.name = "error_exponent",
+       .range = at_least(0),
+       .meaning = "an error of r times the accepted one raises the density of landmarks by r to this power"});
+  visit(o.spread_rings, {.name = "error_spread_rings",
+                         .range = at_least(0),
+                         .meaning = "rings of grid points that an error reaches"});
+}
+
+struct RemeshOptions {
+  int landmarks = 4000;
+  int relaxation_rounds = 80;  ///< rounds of Lloyd relaxation
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<RemeshOptions> auto& o) {
+  visit(o.landmarks, {.name = "landmarks", .range = at_least(16), .meaning = "number of landmarks"});
+  visit(o.relaxation_rounds,
+        {.name = "relaxation_rounds", .range = at_least(0), .meaning = "rounds of Lloyd relaxation"});
+}
 
 }  // namespace foramen

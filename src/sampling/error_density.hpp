@@ -6,9 +6,10 @@
 
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/sampling/remesh.hpp"
-#include "foramen/sampling/torus_grid.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/remesh.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen {
 
@@ -18,28 +19,6 @@ struct RepresentedShape {
   const VertexMap<Vec2>* turns = nullptr;  ///< torus positions of the input's vertices
   std::vector<Vec3> landmarks;             ///< positions on the input surface, in its coordinates
 };
-
-struct ErrorDensityOptions {
-  double accepted_mm = 0.5;
-  double exponent = 1.0;
-  int spread_rings = 3;
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<ErrorDensityOptions> auto& o) {
-  visit(o.accepted_mm,
-        {.name = "accepted_error",
-         .unit = "mm",
-         .range = above(0),
-         .meaning = "distance between a shape and its landmarks up to which no landmarks are added"});
-  visit(
-      o.exponent,
-      {.name = "error_exponent",
-       .range = at_least(0),
-       .meaning = "an error of r times the accepted one raises the density of landmarks by r to this power"});
-  visit(o.spread_rings, {.name = "error_spread_rings",
-                         .range = at_least(0),
-                         .meaning = "rings of grid points that an error reaches"});
-}
 
 /// Returns density * max(1, error / accepted_mm)^exponent at each point of the grid. The error at a point is
 /// the largest distance, over all shapes, between the input vertices at this point and the mesh of the

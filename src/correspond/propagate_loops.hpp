@@ -3,34 +3,14 @@
 /// Transfer of the reference's basepoint and loops to an aligned shape, as in the paper.
 
 #include "foramen/core/options.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 
 namespace foramen {
 
-/// The loops of the reference, to which the loops of the other shapes are compared.
-struct ReferenceLoops {
-  Mesh mesh;                ///< the reference, in its own coordinates
-  LoopSystem loops;         ///< two loops, oriented so that a torus map with their periods has positive area
-  Eigen::Matrix2i seifert;  ///< see seifert_matrix()
-};
-
 /// The shortest loops of a genus-1 surface over all basepoints, oriented, with their Seifert matrix.
 ReferenceLoops find_reference_loops(const Mesh& mesh, const RunContext& ctx);
-
-/// The cost of an edge in the search for loops that follow those of the reference.
-enum class EdgeCost {
-  /// [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm]; the cost of a
-  /// path depends on its number of edges.
-  paper,
-  /// (paper's cost + 0.5 mm) * edge length [mm^2]; the cost of a path does not depend on the resolution of
-  /// the mesh.
-  length_weighted,
-};
-template <>
-struct EnumWords<EdgeCost> {
-  static constexpr std::pair<std::string_view, EdgeCost> all[] = {
-      {"paper", EdgeCost::paper}, {"length_weighted", EdgeCost::length_weighted}};
-};
 
 /// The cost of every edge of an aligned shape. [becker2011 Eq. 3]
 EdgeMap<double> loop_edge_costs(const Mesh& aligned_shape, const ReferenceLoops& reference, EdgeCost cost);

@@ -9,26 +9,10 @@
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/parameterize/torus_map.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 
 namespace foramen {
-
-/// A triangulation of the torus whose vertices are landmarks.
-struct LandmarkMesh {
-  std::vector<Vec2> turns;  ///< torus position of each landmark
-  std::vector<std::array<int, 3>> triangles;
-  HalfedgeMap<Vec2i> jumps;  ///< of halfedge 3f+k, as in TorusMap
-};
-
-struct RemeshOptions {
-  int landmarks = 4000;
-  int relaxation_rounds = 80;  ///< rounds of Lloyd relaxation
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<RemeshOptions> auto& o) {
-  visit(o.landmarks, {.name = "landmarks", .range = at_least(16), .meaning = "number of landmarks"});
-  visit(o.relaxation_rounds,
-        {.name = "relaxation_rounds", .range = at_least(0), .meaning = "rounds of Lloyd relaxation"});
-}
 
 /// Isotropic remeshing of the dense mean `surface` after \cite fuhrmann2010, with the steps in another order.
 /// First, halfedge collapses (or edge splits) lead to exactly options.landmarks vertices; the edge that is

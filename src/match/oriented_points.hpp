@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/spatial/point_index.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 

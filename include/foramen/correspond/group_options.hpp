@@ -1,20 +1,13 @@
 #pragma once
 /// \file
-/// Groupwise correspondence of a cohort: maps of all shapes to one torus, registered to a template that
-/// becomes the mean.
+/// How all shapes of a cohort are registered with each other: the template, its bending, the targets.
 
-#include <optional>
-#include <string>
-#include <vector>
+#include <string_view>
+#include <utility>
 
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/cohort_prior.hpp"
-#include "foramen/correspond/description_length.hpp"
-#include "foramen/correspond/mean_template.hpp"
-#include "foramen/correspond/register_shape.hpp"
-#include "foramen/correspond/surface_targets.hpp"
-#include "foramen/match/deform_template.hpp"
-#include "foramen/match/smooth_displacements.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/match/bending_options.hpp"
 
 namespace foramen {
 
@@ -41,6 +34,67 @@ struct EnumWords<Bending> {
   static constexpr std::pair<std::string_view, Bending> all[] = {
       {"cohort", Bending::cohort}, {"smooth", Bending::smooth}, {"rigid", Bending::rigid}};
 };
+
+struct TemplateOptions {
+  int vertices = 8000;
+  int grid_points = 30000;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<TemplateOptions> auto& o) {
+  visit(o.vertices, {.name = "vertices", .range = at_least(16), .meaning = "vertices of the template"});
+  visit(o.grid_points, {.name = "grid_points",
+                        .range = at_least(16),
+                        .meaning = "points of the torus grid on which the shapes are averaged"});
+}
+
+struct CohortPriorOptions {
+  double noise_mm = 0.25;
+  double independent_area_mm2 = 20;
+  double least_share = 0.02;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<CohortPriorOptions> auto& o) {
+  visit(o.noise_mm, {.name = "noise",
+                     .unit = "mm",
+                     .range = above(0),
+                     .meaning = "standard deviation of a corresponding point"});
+  visit(o.independent_area_mm2, {.name = "independent_area",
+                                 .unit = "mm^2",
+                                 .range = above(0),
+                                 .meaning = "area of a patch that counts as one independent point"});
+  visit(o.least_share,
+        {.name = "least_share",
+         .range = above(0).up_to(1),
+         .meaning = "least share of the smooth process's variance that is left to what no other shape does"});
+}
+
+struct SurfaceTargetsOptions {
+  double reach_mm = 4;
+  double min_normal_cosine = 0;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
+  visit(o.reach_mm,
+        {.name = "reach",
+         .unit = "mm",
+         .range = above(0),
+         .meaning =
+             "distance from the bent template at which a target's weight falls to zero (Tukey's biweight)"});
+  visit(o.min_normal_cosine, {.name = "min_normal_cosine",
+                              .range = at_least(-1).below(1),
+                              .meaning = "least cosine between the normals of a vertex and of its target"});
+}
+
+struct DescriptionLengthOptions {
+  double cut_mm2 = 0.01;  ///< lambda_c
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<DescriptionLengthOptions> auto& o) {
+  visit(o.cut_mm2, {.name = "cut",
+                    .unit = "mm^2",
+                    .range = above(0),
+                    .meaning = "variance per unit of weight below which a mode is noise"});
+}
 
 struct RegisterGroupOptions {
   InitialMap initial_map = InitialMap::torus;
@@ -114,58 +168,5 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
   visit(o.iteration_limit,
         {.name = "iteration_limit", .range = at_least(1), .meaning = "most iterations of an optimisation"});
 }
-
-/// The registration of one shape of a group.
-struct GroupMember {
-  std::optional<RegisteredShape> registered;  ///< unset: the shape was left out
-  std::string failure;                        ///< why
-  double seconds = 0;                         ///< computing time for this shape
-};
-
-/// The template of the last round, to which all shapes are registered.
-struct GroupTemplate {
-  /// Number of rounds with a mean as template; 0: only the reference was a template, and the fields below are
-  /// empty.
-  int rounds = 0;
-  TemplateSurface surface;  ///< see MeanTemplate
-  std::vector<Vec3> grid;   ///< see MeanTemplate
-  DisplacementPrior prior;  ///< prior of the displacement onto a new shape, see CohortPriors
-};
-
-/// The registration of all shapes of a group.
-struct GroupRegistration {
-  std::vector<GroupMember> members;  ///< one per shape
-  GroupTemplate last_template;
-  std::vector<double> template_motion_mm;   ///< RMS motion of the mean between successive rounds
-  std::vector<double> unexplained_shares;   ///< with Bending::cohort, one per round, see CohortPriors
-  std::vector<double> description_lengths;  ///< before each of the description rounds, and after the last
-};
-
-/// Registers all shapes with each other, in three parts.
-///
-/// 1. Each shape is registered to the reference by itself. It is aligned rigidly, and the reference is bent
-///    onto it (deform_template()). The reference's loops are transferred to the shape and give it a first map
-///    (first_map()); for this, the bending is undone on the shape (its vertices are moved back). Then the map
-///    is optimised: every vertex is attracted to its corresponding point on the reference (SurfaceTargets),
-///    the distortion of the map shape -> reference is penalised, and no triangle is flipped.
-/// 2. Rounds follow in which the Procrustes mean of all shapes is the template, so that the reference is a
-///    shape like the others. In each round the template is bent and the map optimised again.
-/// 3. Each map is extended to the input mesh of its shape, optimised there and certified. Its homology is
-///    checked again (require_reference_homology()), and its direction is compared with that of the
-///    reference's map (map_agreement()).
-///
-/// A shape that fails a check is left out with the reason, and the rest go on.
-GroupRegistration register_group(const std::vector<Mesh>& shapes, const Reference& reference,
-                                 int reference_index, const RunContext& ctx,
-                                 const RegisterGroupOptions& options = {});
-
-/// Registers one more shape to a group, which does not change. The steps are those of a member, but every
-/// round uses the group's last template. There are as many rounds as the members had. Runs on one thread.
-/// \param reference  the reference of the group, with its first or its final map
-/// \param options  the options of the group
-/// Throws TopologyError or ConvergenceError with the reason if any check fails; InvalidInput for
-/// description_rounds > 0.
-RegisteredShape register_to_group(const Mesh& shape, const Reference& reference, const GroupTemplate& group,
-                                  const RunContext& ctx, const RegisterGroupOptions& options = {});
 
 }  // namespace foramen

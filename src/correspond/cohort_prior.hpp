@@ -9,30 +9,10 @@
 
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/options.hpp"
+#include "foramen/correspond/group_options.hpp"
 #include "foramen/match/displacement_prior.hpp"
 
 namespace foramen {
-
-struct CohortPriorOptions {
-  double noise_mm = 0.25;
-  double independent_area_mm2 = 20;
-  double least_share = 0.02;
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<CohortPriorOptions> auto& o) {
-  visit(o.noise_mm, {.name = "noise",
-                     .unit = "mm",
-                     .range = above(0),
-                     .meaning = "standard deviation of a corresponding point"});
-  visit(o.independent_area_mm2, {.name = "independent_area",
-                                 .unit = "mm^2",
-                                 .range = above(0),
-                                 .meaning = "area of a patch that counts as one independent point"});
-  visit(o.least_share,
-        {.name = "least_share",
-         .range = above(0).up_to(1),
-         .meaning = "least share of the smooth process's variance that is left to what no other shape does"});
-}
 
 /// The coefficients of all shapes. The prior of one shape is made from them when it is needed, since the
 /// priors of all shapes together would grow with the square of their number.
@@ -60,7 +40,6 @@ struct CohortPriors {
 /// \param functions  values of smooth_displacements() at the template's vertices
 /// \param corresponding  per shape, the points that correspond to the template's vertices, in the coordinates
 /// of the template; with fewer than 3 shapes the prior is the smooth process
-///
 /// Throws InvalidInput for sizes that do not agree.
 CohortPriors cohort_priors(const Mesh& surface, const Eigen::MatrixXd& functions,
                            std::span<const std::vector<Vec3>> corresponding,

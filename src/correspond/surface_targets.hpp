@@ -5,28 +5,13 @@
 
 #include <vector>
 
+#include "correspond/template_surface.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/template_surface.hpp"
-#include "foramen/parameterize/optimise_map.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
-
-struct SurfaceTargetsOptions {
-  double reach_mm = 4;
-  double min_normal_cosine = 0;
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
-  visit(o.reach_mm,
-        {.name = "reach",
-         .unit = "mm",
-         .range = above(0),
-         .meaning =
-             "distance from the bent template at which a target's weight falls to zero (Tukey's biweight)"});
-  visit(o.min_normal_cosine, {.name = "min_normal_cosine",
-                              .range = at_least(-1).below(1),
-                              .meaning = "least cosine between the normals of a vertex and of its target"});
-}
 
 /// E_v = w_v |p_v - t_v|^2 [mm^2], where the distance is measured to the nearest lattice translate in the
 /// metric of the template at t_v. The target t_v is the torus position of the surface point of the bent

@@ -8,6 +8,7 @@
 
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {
@@ -31,26 +32,6 @@ struct TargetMetric {
   /// Per face of the surface: maps plane vectors to mm in a tangent plane of the target; det > 0.
   FaceMap<Mat2> to_target;
   double area = 0;  ///< of the target, mm^2
-};
-
-/// The method of minimisation.
-enum class Optimiser {
-  newton,         ///< projected Newton over all vertices at once
-  polak_ribiere,  ///< the paper's node-wise conjugate gradients
-};
-template <>
-struct EnumWords<Optimiser> {
-  static constexpr std::pair<std::string_view, Optimiser> all[] = {
-      {"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}};
-};
-/// Weights of triangles and vertices in the energy. With `area` they are shares of the surface area, so the
-/// energy is an area-weighted mean that does not depend on the triangulation. With `each` the energy is sum
-/// over vertices of E_cor + lambda sum over triangles of E, the form of the paper (eq. 4).
-enum class Weighting { area, each };
-template <>
-struct EnumWords<Weighting> {
-  static constexpr std::pair<std::string_view, Weighting> all[] = {{"area", Weighting::area},
-                                                                   {"each", Weighting::each}};
 };
 
 struct OptimiseMapOptions {

@@ -4,16 +4,10 @@
 
 #include <vector>
 
-#include "foramen/spatial/flips.hpp"
+#include "foramen/evaluate/representation.hpp"
+#include "spatial/flips.hpp"
 
 namespace foramen {
-
-/// Errors per landmark and flipped triangles of one shape.
-struct ErrorMap {
-  std::vector<double> landmark_mm;  ///< per landmark: the largest distance in its neighbourhood, mm
-  std::vector<int> plain_flips;     ///< indices of triangles, in order; see SampledFlips
-  std::vector<int> confirmed_flips;
-};
 
 /// Distances in both directions. The distance of each input vertex to the corresponding mesh counts for the
 /// landmark with the largest barycentric coordinate at the closest point. The distances of each landmark and

@@ -2,25 +2,14 @@
 /// \file
 /// The first map of a shape to the torus, in the basis of loops and at the position of the reference's map.
 
+#include "correspond/propagate_loops.hpp"
+#include "correspond/transfer_homology.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/propagate_loops.hpp"
-#include "foramen/correspond/transfer_homology.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {
-
-/// The kind of the first map of a shape.
-enum class InitialMap {
-  torus,  ///< harmonic map (harmonic_torus_map())
-  /// The initial map of the paper: the surface is cut along the loops and its border fixed to a rectangle
-  /// (rectangle_torus_map()).
-  rectangle,
-};
-template <>
-struct EnumWords<InitialMap> {
-  static constexpr std::pair<std::string_view, InitialMap> all[] = {{"torus", InitialMap::torus},
-                                                                    {"rectangle", InitialMap::rectangle}};
-};
 
 /// A first map with the homology by which its loops were identified.
 struct FirstMap {

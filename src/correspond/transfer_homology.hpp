@@ -5,9 +5,10 @@
 
 #include <array>
 
-#include "foramen/correspond/propagate_loops.hpp"
+#include "correspond/propagate_loops.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/torus_map.hpp"
-#include "foramen/topology/periods.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 

@@ -10,26 +10,11 @@
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "foramen/match/displacement_prior.hpp"
-#include "foramen/match/vertex_matches.hpp"
+#include "match/vertex_matches.hpp"
 
 namespace foramen {
-
-struct DeformTemplateOptions {
-  std::vector<double> noise_mm = {4, 2, 1, 0.5, 0.25};  ///< Not empty.
-  int iterations = 4;
-  MatchOptions match = {};  ///< The number of samples holds for each of the two surfaces.
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<DeformTemplateOptions> auto& o) {
-  visit(o.noise_mm, {.name = "noise",
-                     .unit = "mm",
-                     .range = above(0),
-                     .meaning = "standard deviation of a match, from coarse to fine"});
-  visit(o.iterations,
-        {.name = "iterations", .range = at_least(1), .meaning = "iterations at every level of noise"});
-  visit(o.match, {.nesting = Nesting::inlined});
-}
 
 /// Returns the positions of the template's vertices on the shape, mm. The displacement is u = phi a with the
 /// basis phi of `functions`; the coefficients a are the maximum a posteriori estimate under the prior, given

@@ -9,19 +9,9 @@
 
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/options.hpp"
+#include "foramen/correspond/group_options.hpp"
 
 namespace foramen {
-
-struct DescriptionLengthOptions {
-  double cut_mm2 = 0.01;  ///< lambda_c
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<DescriptionLengthOptions> auto& o) {
-  visit(o.cut_mm2, {.name = "cut",
-                    .unit = "mm^2",
-                    .range = above(0),
-                    .meaning = "variance per unit of weight below which a mode is noise"});
-}
 
 struct DescriptionLength {
   double value = 0;                      ///< dimensionless

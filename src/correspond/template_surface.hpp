@@ -3,15 +3,10 @@
 /// The surface to which shapes are registered, with its map to the common torus.
 
 #include "foramen/core/surface_point.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {
-
-/// The reference or the mean of a cohort, as a template.
-struct TemplateSurface {
-  Mesh mesh;     ///< mm
-  TorusMap map;  ///< map of this mesh, without flipped triangles
-};
 
 /// The first fundamental form G of the template in the plane of its map, per vertex: a small displacement dx
 /// in the plane has the length \f$ \sqrt{dx^T G\, dx} \f$ mm on the template. G is the area-weighted mean
