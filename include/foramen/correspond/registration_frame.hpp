@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the shapes of a cohort were registered to, and what a further shape is registered to.
+/// The data to which the shapes of a cohort were registered and to which a further shape is registered.
 
 #include <vector>
 
@@ -11,6 +11,7 @@
 
 namespace foramen {
 
+/// The final map of a shape to the torus, with its certificate and statistics.
 struct ShapeMap {
   TorusMap map;  ///< map of the input mesh, quantised, in the basis and lattice of the reference
   MapCertificate certificate;  ///< certificate of this map

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Triangle meshes on disk: PLY, STL, OBJ, OFF, legacy VTK and VTP. The readers are strict: they refuse a
-/// file that they cannot read completely.
+/// Triangle meshes on disk: PLY, STL, OBJ, OFF, legacy VTK and VTP. The readers are strict: they refuse
+/// damaged, incomplete and contradictory files.
 
 #include <filesystem>
 #include <optional>

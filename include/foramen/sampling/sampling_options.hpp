@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How landmarks are spread over a surface: options of curvature_density(), raised_by_error() and
+/// How landmarks are distributed over a surface: options of curvature_density(), raised_by_error() and
 /// remesh().
 
 #include "foramen/core/options.hpp"
@@ -18,7 +18,8 @@ struct CurvatureDensityOptions {
   /// In each round a density becomes the average of itself and the mean of its neighbours.
   int smoothing_rounds = 5;
   /// Standard deviation of the kernel that averages the curvature tensor, relative to the square root of the
-  /// area; about 1 mm on a vertebra. Features below this size, such as the steps of voxels, have no effect.
+  /// area; about 1 mm on a vertebra. Features below this size, such as the steps of voxels, have little
+  /// effect.
   double curvature_radius = 0.008;
 };
 template <class Visitor>
