@@ -23,7 +23,7 @@
 namespace foramen {
 namespace {
 
-// The search for a reference's loops takes seconds at this size and grows with more than the power 3/2 of it.
+// The search for the loops of a reference takes seconds at this size and grows faster than its power 3/2.
 constexpr int large_reference_vertices = 100000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -38,7 +38,7 @@ void require_enough(std::size_t usable, std::span<const FailedShape> failed) {
   throw TooFewShapes(message);
 }
 
-// Those to try, in order.
+// The shapes to try as reference, in order.
 std::vector<int> reference_candidates(std::span<const Shape> shapes, const std::string& name) {
   if (name == "auto") return rank_references(shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -53,8 +53,8 @@ struct MappedReference {
   std::vector<FailedShape> refused;
 };
 
-// The first candidate that can be mapped. A surface that is usable as such may be too ragged for a map, and
-// the cohort must not fail for it.
+// The first candidate that can be mapped. A valid surface may be too rough for a map, and this must not make
+// the whole cohort fail.
 MappedReference map_first_reference(std::span<const Shape> shapes, const CorrespondOptions& options,
                                     const RunContext& ctx) {
   MappedReference found;
@@ -62,7 +62,7 @@ MappedReference map_first_reference(std::span<const Shape> shapes, const Corresp
     const Shape& shape = shapes[candidate];
     try {
       RegisterOptions how = options.registration;
-      how.neighbours = {};  // of no effect on the reference
+      how.neighbours = {};  // they do not affect the reference
       found.reference = kept<Reference>(ctx, StageKey(ctx, "reference", shape.mesh, how),
                                         [&] { return map_reference(shape.mesh, ctx, how); });
       found.shape = candidate;
@@ -91,12 +91,13 @@ RegisteredShape only_aligned(const Mesh& shape, const Reference& reference, cons
   return result;
 }
 
-// Each shape with the reference, by itself.
+// Registers each shape with the reference, independently of the others.
 GroupRegistration register_each(std::span<const Shape> shapes, const MappedReference& mapped,
                                 const CorrespondOptions& options, const RunContext& ctx) {
   GroupRegistration result;
   result.members.resize(shapes.size());
-  // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
+  // Each shape is registered on one thread: nested parallel loops would not be faster, and this needs less
+  // memory.
   const RunContext single = ctx.with_threads(1);
   const StageKey to_reference(ctx, "mapped reference", mapped.reference);
   std::atomic<int> done{0};

@@ -16,7 +16,7 @@
 namespace foramen {
 namespace {
 
-// Periods of the loops under the map's jumps, a column a loop.
+// The periods of the loops under the jumps of the map, one column per loop.
 Eigen::Matrix2i periods(const TorusMap& map, const LoopSystem& loops) {
   const Cocycle form{map.jumps};
   Eigen::Matrix2i result;
@@ -63,7 +63,8 @@ std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunCont
   member.input = &surface;
   member.working = steps.simplified(surface);
   steps.begin(member, align(surface, impl_->reference.mesh(), single), impl_->mean, impl_->prior);
-  // Once more from where the map has the landmarks, aligned by them as the training shapes are.
+  // A round that starts from the landmarks that the map gives; the surface is aligned by them, as the
+  // training shapes are.
   steps.newcomer_round(member, landmarks, impl_->reference.mesh().positions(), impl_->mean, impl_->prior);
   steps.finish(member, impl_->mean);
   return lift_to_surface(TorusLocator(surface, member.result.shape_map.map), landmarks);

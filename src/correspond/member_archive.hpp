@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to correspond: what is kept of a shape on its way, as bytes.
+/// Private to correspond: the state of a member of a group as bytes, for the store.
 
 #include "correspond/member_steps.hpp"
 #include "correspond/registered_archive.hpp"

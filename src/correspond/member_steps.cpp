@@ -22,8 +22,8 @@
 namespace foramen {
 namespace {
 
-// Where the shape would lie if the bending were undone: every vertex moved back by the displacement of the
-// bent template's nearest vertex.
+// The shape with the bending of the template undone: every vertex is moved back by the displacement of the
+// nearest vertex of the bent template.
 Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vector<Vec3>& bent) {
   const VertexMap<VertexId> near = nearest_vertices(shape, surface.mesh.with_positions(bent));
   std::vector<Vec3> positions;
@@ -73,7 +73,8 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   result.seifert = first.seifert;
   member.map.map = std::move(first.map);
   const auto targets = objective(member, aligned, to);
-  // The metric means nothing yet where the vertices are still far from their targets.
+  // The first optimisation measures distortion in the plane, because the metric of the template is not
+  // meaningful while the vertices are far from their targets.
   member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), targets.get());
   const double energy = member.map.initial_energy;
   improve(member, aligned, to);

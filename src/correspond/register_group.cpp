@@ -34,10 +34,10 @@ PreparedTemplate reference_template(const Reference& reference, const RegisterGr
           options};
 }
 
-// Of the options those that decide a member's first registration; the others have their defaults.
+// The options that affect the first registration of a member; the others are set to their defaults.
 RegisterGroupOptions options_of_first(RegisterGroupOptions options) {
   const RegisterGroupOptions defaults;
-  if (options.bending == Bending::cohort) options.bending = Bending::smooth;  // nothing is learnt yet
+  if (options.bending == Bending::cohort) options.bending = Bending::smooth;  // nothing has been learnt yet
   options.cohort = defaults.cohort;
   options.again = defaults.again;
   options.round_limit = defaults.round_limit;
@@ -48,7 +48,7 @@ RegisterGroupOptions options_of_first(RegisterGroupOptions options) {
   return options;
 }
 
-// The same of a later registration, to a template that is given.
+// The options that affect a later registration, to a given template.
 RegisterGroupOptions options_of_later(RegisterGroupOptions options) {
   const RegisterGroupOptions defaults;
   options.initial_map = defaults.initial_map;
@@ -110,8 +110,8 @@ class GroupRegistrar {
     for (int round = 0; round < options_.round_limit; ++round) {
       auto [to_mean, next] = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
-      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes are
-      // still in the old template's frame.
+      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes
+      // are still in the coordinates of the old template.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
@@ -143,7 +143,7 @@ class GroupRegistrar {
   }
 
  private:
-  // One shape at a time on each thread: a thread pool inside a thread pool gains nothing here.
+  // Each shape is processed on one thread, because nested parallel loops would not be faster.
   void for_each_member(const std::string& stage, const std::function<void(int)>& body) {
     std::atomic<int> done{0};
     parallel_for(static_cast<int>(members_.size()), ctx_, [&](int i) {
@@ -164,8 +164,9 @@ class GroupRegistrar {
     });
   }
 
-  // The same for a step that brings the members on: what each has come to is kept, or was and is taken up.
-  // \param to  what the step takes beside the member
+  // The same for a step that changes the members. The state of each member after the step is read from the
+  // store if it is there, and stored otherwise.
+  // \param to  key of the inputs of the step other than the member
   void advance_each_member(const std::string& stage, const StageKey& to,
                            const std::function<void(int)>& step) {
     for_each_member(stage, [&](int i) {
@@ -180,7 +181,7 @@ class GroupRegistrar {
     });
   }
 
-  // What all members that are still there were made from.
+  // The keys of all members that have not failed.
   std::vector<StageKey> all_made_from() {
     std::vector<StageKey> keys;
     for (const Member* member : present()) keys.push_back(member->made_from);

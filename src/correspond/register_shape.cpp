@@ -28,7 +28,7 @@ RegisterOptions paper_options() {
   options.neighbours.search = NeighbourSearch::points;
   options.neighbours.weights = NeighbourWeights::absolute;
   options.lambda = 0.00025;
-  options.iteration_limit = 5000;  // sweeps over all nodes, each far cheaper than a Newton iteration
+  options.iteration_limit = 5000;  // sweeps over all nodes, which are much cheaper than Newton iterations
   return options;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A registered shape and a reference as bytes (byte_archive.hpp), to be kept.
+/// A registered shape and a reference as bytes (byte_archive.hpp), for the store.
 
 #include "correspond/register_shape.hpp"
 #include "foramen/core/byte_archive.hpp"

@@ -30,7 +30,7 @@ EdgeLoop transfer_loop(const Mesh& shape, const IndexedPoints& vertices, VertexP
   return closed;
 }
 
-// Gradients of the two coordinates (in turns) on a face, as vectors in space [turns per mm].
+// Gradients of the two torus coordinates on a face, as vectors in space [turns per mm].
 std::array<Vec3, 2> gradients(const Mesh& mesh, const TorusMap& map, FaceId f) {
   const auto t = mesh.triangle(f);
   const Vec3 doubled = 2 * area_vector(t);
@@ -47,7 +47,8 @@ std::array<Vec3, 2> gradients(const Mesh& mesh, const TorusMap& map, FaceId f) {
   return out;
 }
 
-// Area-weighted average of the gradients of the faces at each vertex, by coordinate; unit length.
+// For each coordinate, the area-weighted average of the gradients of the faces at each vertex, normalised to
+// unit length.
 std::array<VertexMap<Vec3>, 2> vertex_gradients(const Mesh& mesh, const TorusMap& map) {
   std::array<VertexMap<Vec3>, 2> sum{VertexMap<Vec3>(mesh.vertex_count(), Vec3::Zero()),
                                      VertexMap<Vec3>(mesh.vertex_count(), Vec3::Zero())};

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to evaluate: errors as bytes, to be kept.
+/// Private to evaluate: errors as bytes, for the store.
 
 #include "foramen/core/byte_archive.hpp"
 #include "foramen/evaluate/cohort.hpp"

@@ -11,9 +11,9 @@
 namespace foramen {
 namespace {
 
-// What is to be done with the labels of a map.
+// The labels of a map by what is done with them.
 struct Plan {
-  std::vector<int> wanted;  // and present
+  std::vector<int> wanted;  // wanted labels that the map contains
   std::vector<int> missing_singles, missing_of_ranges, unnamed;
 };
 

@@ -16,7 +16,7 @@
 namespace foramen {
 
 struct LabelRequest {
-  std::optional<LabelSelection> labels = std::nullopt;  ///< Unset: every label that has a name.
+  std::optional<LabelSelection> labels = std::nullopt;  ///< Unset: all labels that have a name.
   LabelNames names = label_names(LabelNumbering::verse);
   ExtractOptions surface = {};
 };
@@ -28,7 +28,7 @@ struct LabelSurface {
   ExtractedSurface extracted;
 };
 
-/// A wanted label without a surface, and why.
+/// A wanted label for which no surface was extracted, and why.
 struct RefusedLabel {
   int label = 0;
   std::string name, stem;
@@ -43,9 +43,9 @@ struct LabelSurfaces {
   std::vector<Message> notes;          ///< what the user should know though it is no error
 };
 
-/// Reads the label map and extracts its labels in parallel. A wanted label that is absent is noted if it
-/// belongs to a range and refused if it was named singly. Throws IoError as read_label_map() does;
-/// InvalidInput if the map holds none of the wanted labels.
+/// Reads the label map and extracts the surfaces of its labels in parallel. A wanted label that is absent is
+/// refused if it was named singly; if it belongs to a range, a note is made. Throws IoError as
+/// read_label_map() does, and InvalidInput if the map contains none of the wanted labels.
 LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelRequest& request,
                              const RunContext& ctx);
 

@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// Private to extract: a voxel surface without its steps.
+/// Private to extract: smoothing of the steps of a voxel surface.
 
 #include "foramen/extract/extract_label.hpp"
 
 namespace foramen::extract {
 
 struct SmoothedSurface {
-  std::vector<Vec3> points;  ///< of the same vertices
-  int restrained = 0;        ///< vertices moved back, since the surface met itself
+  std::vector<Vec3> points;  ///< new positions of the vertices
+  int restrained = 0;  ///< number of vertices that were moved back because the surface intersected itself
 };
 
 /// As extract_label() says. \param start  without self-intersections, mm along the lattice's axes.

@@ -72,15 +72,15 @@ void flush_to_disk(const fs::path& path, int flags) {
   if (!file.open() || ::fsync(file.get()) != 0) fail(path, "cannot be flushed to disk", errno);
 }
 
-// The rename itself must reach the disk too. Some file systems cannot flush a folder: then nothing is lost
-// but that.
+// Flushes the rename to disk. Some file systems cannot flush a folder; the file is complete all the same, so
+// a failure here is ignored.
 void flush_folder(const fs::path& path) {
   const Descriptor folder(path.has_parent_path() ? path.parent_path() : fs::path("."),
                           O_RDONLY | O_DIRECTORY);
   if (folder.open()) ::fsync(folder.get());
 }
 
-// Removes the temporary unless it was renamed.
+// Removes the temporary file unless it was renamed.
 class Temporary {
  public:
   explicit Temporary(const fs::path& target) : target_(target), path_(temporary_beside(target)) {}

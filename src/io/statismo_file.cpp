@@ -14,8 +14,8 @@
 namespace foramen {
 namespace {
 
-// Single precision leaves columns of unit length to about 1e-6; version 0.8 scaled them by standard
-// deviations.
+// Rounding to single precision changes the lengths of unit columns by about 1e-6. Columns that are off by
+// much more come from version 0.8, which scaled them by standard deviations.
 constexpr double orthonormality_tolerance = 1e-3;
 constexpr const char* weights_path = "/foramen/landmarkWeights";
 
@@ -95,7 +95,7 @@ void write_representer(File& file, const StatismoModel& model) {
   file.attribute("/representer", "version", "1.0");
   file.attribute("/representer", "datasetType", "POLYGON_MESH");
   file.matrix("/representer/points", columns<float>(model.points));
-  // Signed, though statismo writes unsigned: Scalismo cannot take those.
+  // The indices are signed, because Scalismo cannot read the unsigned ones that statismo writes.
   std::vector<Eigen::Vector3i> cells;
   cells.reserve(model.triangles.size());
   for (const auto& t : model.triangles) cells.emplace_back(t[0], t[1], t[2]);
@@ -230,7 +230,7 @@ class ModelReader {
         model_.parameters.emplace_back(key, file_.string(builder + "/parameters/" + key));
   }
 
-  // A single zero means none in files of statismo.
+  // A single zero stands for "no scores" in files of statismo.
   void read_scores() {
     if (!file_.has("/modelinfo/scores")) return;
     const Eigen::MatrixXd scores = eigen_matrix(file_.template matrix<float>("/modelinfo/scores"));

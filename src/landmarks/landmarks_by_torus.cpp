@@ -21,19 +21,21 @@
 namespace foramen {
 namespace {
 
-// The search for a number of landmarks: from the first, growing until the error is reached.
+// The search for the number of landmarks starts with the first number and increases it until the error is
+// reached.
 constexpr int first_landmarks = 500, most_landmarks = 30000;
 constexpr double landmark_growth = 1.4;
 constexpr int search_samples = 4000;
 
-// What lifting and measuring need of each shape, made once.
+// Data of each shape for lifting and for distances, computed once.
 struct LiftingShape {
   std::unique_ptr<TorusLocator> locator;
-  VertexMap<Vec2> turns;               // of the map
-  std::unique_ptr<TriangleTree> tree;  // from plant_trees() on
+  VertexMap<Vec2> turns;               // torus positions of the vertices
+  std::unique_ptr<TriangleTree> tree;  // set by plant_trees()
 };
 
-// From here on the maps are known by their locators: a cohort of large shapes has no room for both.
+// Replaces the maps by their locators, because both together would need too much memory for a cohort of large
+// shapes.
 std::vector<LiftingShape> lifting_shapes(const std::vector<Mesh>& meshes, std::vector<TorusMap> maps,
                                          const RunContext& ctx) {
   std::vector<LiftingShape> shapes(meshes.size());
@@ -60,7 +62,7 @@ std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& sh
                [&](int i) { all[i] = lift_to_surface(*shapes[i].locator, turns); });
   return all;
 }
-// A surface to put landmarks on: the dense mean, with its torus map and how densely it is to be sampled.
+// The dense mean, on which landmarks are placed, with its torus map and the density of landmarks.
 struct DenseMean {
   TorusGrid grid;
   Mesh mesh;
@@ -80,7 +82,7 @@ DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lat
   return mean;
 }
 
-// Where the landmarks miss a shape the next ones are denser.
+// The density for the next landmarks, raised where the present ones represent a shape badly.
 VertexMap<double> density_after(const LandmarkMesh& landmarks, const VertexMap<double>& density,
                                 const DenseMean& mean, const std::vector<LiftingShape>& shapes,
                                 const PlaceLandmarksOptions& options, const RunContext& ctx) {
@@ -120,7 +122,7 @@ double mean_representation_error(const LandmarkMesh& landmarks, const std::vecto
   return sum / static_cast<double>(errors.size());
 }
 
-// As few landmarks as reach the error, up to one step of growth.
+// The smallest tried number of landmarks that reaches the error.
 RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<LiftingShape>& shapes,
                                      const PlaceLandmarksOptions& options, const RunContext& ctx) {
   for (int count = first_landmarks; count <= most_landmarks;

@@ -16,12 +16,13 @@ namespace {
 
 using namespace repair_detail;
 
-// Widths of the band that is taken out, in rings of triangles round the loop.
+// Largest width of the removed band, in rings of triangles around the loop.
 constexpr int most_rings = 6;
 
 int genus(const Mesh& mesh) { return (2 - mesh.euler_characteristic()) / 2; }
 
-// The narrowest band along the loop whose disks meet nothing. Empty if none does.
+// Removes the narrowest band along the loop whose closing disks do not intersect the surface; nullopt if
+// there is none.
 std::optional<EditedMesh> closed_along(const Mesh& mesh, const EdgeLoop& loop) {
   FaceSet band = faces_along(mesh, loop);
   for (int ring = 1; ring <= most_rings; ++ring, band = grown(mesh, band)) {

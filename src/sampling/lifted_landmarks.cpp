@@ -9,7 +9,7 @@
 namespace foramen::detail {
 namespace {
 
-// As in sampled_flips(), which has the last word on what is guilty.
+// The same values as in sampled_flips(), which makes the final decision.
 constexpr double margin_per_edge = 0.25;
 constexpr double degenerate_height = 1e-12;
 

@@ -9,7 +9,7 @@
 namespace foramen {
 namespace {
 
-// Runs one stage, adds how long it took, and holds no memory that it has freed.
+// Runs one stage, adds its time to `seconds` and returns freed memory to the system.
 template <class Stage>
 auto timed(double& seconds, const Stage& stage) {
   const auto start = std::chrono::steady_clock::now();

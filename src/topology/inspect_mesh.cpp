@@ -43,7 +43,7 @@ class DisjointSets {
   std::vector<std::size_t> parent_;
 };
 
-// One side of a triangle. Corner 3f+k is the k-th of triangle f.
+// One side of a triangle. Corner 3f+k is corner k of triangle f.
 struct Side {
   int low, high;
   std::size_t corner_at_low, corner_at_high;
@@ -65,8 +65,8 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
   return sides;
 }
 
-// Edges, and what is wrong with them. Joins the corners of triangles that share an edge, so that each set of
-// corners left at a vertex is one fan.
+// Counts the edges and their defects. Joins the corners of triangles that share an edge, so that each set of
+// joined corners at a vertex is one fan.
 void inspect_edges(const TriangleSoup& soup, const std::vector<Triangle>& triangles, DisjointSets& fans,
                    MeshReport& report) {
   const std::vector<Side> sides = sorted_sides(triangles);
@@ -127,7 +127,8 @@ int duplicate_triangles(std::vector<Triangle> triangles) {
   return static_cast<int>(triangles.end() - std::unique(triangles.begin(), triangles.end()));
 }
 
-// The box of what belongs to the surface: a stray vertex far away must not change what counts as degenerate.
+// The bounding box of the vertices of triangles. An unused vertex far away must not change which triangles
+// count as degenerate.
 BoundingBox box_of(const TriangleSoup& soup, const std::vector<Triangle>& triangles) {
   std::vector<Vec3> finite;
   for (const Triangle& t : triangles)
@@ -141,7 +142,7 @@ BoundingBox box_of(const TriangleSoup& soup, const std::vector<Triangle>& triang
 
 void measure(const TriangleSoup& soup, const std::vector<Triangle>& triangles, MeshReport& report) {
   const double smallest_area = degenerate_area(report.box.diagonal());
-  const Vec3 origin = report.box.low;  // near the surface, so that no digits are lost
+  const Vec3 origin = report.box.low;  // a point near the surface, so that the volume loses no digits
   for (const Triangle& triangle : triangles) {
     const std::array<Vec3, 3> t = corners_of(soup, triangle);
     if (!all_finite(t)) continue;
@@ -172,7 +173,7 @@ Obstacle genus_obstacle(int genus) {
           by_repair};
 }
 
-// Whether every triangle can be used at all.
+// The first defect that makes single vertices or triangles unusable.
 std::optional<Obstacle> unusable_elements(const MeshReport& r) {
   if (r.triangles == 0)
     return Obstacle{"it has no triangles", "export the surface of the bone, not points or an empty scene"};

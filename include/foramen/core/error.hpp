@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What can go wrong, and whose fault it is. Messages say what was found and what to do about it.
+/// The exceptions that foramen throws. The type says whether the file, the data, the method or foramen itself
+/// is at fault; the message says what was found and what to do about it.
 
 #include <stdexcept>
 #include <string>
@@ -29,7 +30,7 @@ class IoError : public Error {
   using Error::Error;
 };
 
-/// Data that was read well but cannot be used (indices out of range, wrong units, NaN, too few shapes ...).
+/// The data is well-formed but cannot be used (indices out of range, wrong units, NaN, too few shapes ...).
 class InvalidInput : public Error {
   using Error::Error;
 };
@@ -39,18 +40,18 @@ class TopologyError : public InvalidInput {
   using InvalidInput::InvalidInput;
 };
 
-/// A numerical method ended without a result that may be trusted.
+/// A numerical method stopped without a reliable result.
 class ConvergenceError : public Error {
   using Error::Error;
 };
 
-/// The user asked to stop; nothing is wrong.
+/// The user asked to stop. This is not a failure.
 class Cancelled : public Error {
  public:
   Cancelled() : Error("cancelled") {}
 };
 
-/// A broken promise inside foramen itself: always a defect, never the user's fault.
+/// An internal invariant of foramen does not hold: always a defect of foramen, never the user's fault.
 class InternalError : public std::logic_error {
   using std::logic_error::logic_error;
 };
@@ -64,6 +65,6 @@ namespace detail {
 
 }  // namespace foramen
 
-/// Checks a promise of our own in every build; throws InternalError.
+/// Checks an internal invariant in debug and release builds alike; throws InternalError if it does not hold.
 #define FORAMEN_ASSERT(condition) \
   ((condition) ? void(0) : ::foramen::detail::assertion_failed(#condition, __FILE__, __LINE__))

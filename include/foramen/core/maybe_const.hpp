@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A concept for function templates that take a value to read from or to change.
+/// A concept for function templates that accept both T& and const T&, to change the value or only to read it.
 
 #include <concepts>
 #include <type_traits>

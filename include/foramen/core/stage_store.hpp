@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Results of finished work, kept under the name of what they were made from.
+/// A store for the results of finished stages. The key of a result is a digest of everything from which it
+/// was computed.
 
 #include <optional>
 #include <string>
@@ -13,21 +14,22 @@
 
 namespace foramen {
 
-/// Where results are kept. Safe to use from many threads.
+/// Interface of a key-value store of results. All members may be called from many threads at once.
 class StageStore {
  public:
   virtual ~StageStore() = default;
-  /// A name of fixed length for any bytes; other bytes have another name.
+  /// A cryptographic hash of the bytes as text of fixed length.
   virtual std::string digest(std::string_view bytes) const = 0;
-  /// What was kept under this key, byte for byte; nothing if there is nothing, or it is not what was kept.
+  /// The bytes that were stored under this key; nullopt if there are none or the entry is damaged.
   virtual std::optional<std::string> load(const std::string& key) = 0;
-  /// A store that cannot keep loses nothing but time: it does not throw.
+  /// Stores the bytes under this key. Does not throw if the store cannot be written, because a missing entry
+  /// only costs the time to compute it again.
   virtual void keep(const std::string& key, std::string_view bytes) = 0;
 };
 
-/// The name of a result: the stage that makes it, and the digest of all that it is made from. A part is a
-/// value with a transfer(), a struct of described options, or the key of another result, which stands for
-/// that result. Without a store the key is empty, and nothing is computed for it.
+/// The key of a result: the name of its stage and the digest of all its inputs. An input is a value with a
+/// transfer(), a struct of described options, or the key of another result, which stands for that result. If
+/// the run has no store, the key is empty and no digest is computed.
 class StageKey {
  public:
   StageKey() = default;
@@ -70,17 +72,19 @@ void transfer(Archive& archive, MaybeConst<Message> auto& message) {
 }
 
 namespace detail {
-/// How a kept entry begins: with a result, or with the kind of error that the same input gives every time.
+/// The first field of a stored entry: whether it holds a result or an error. Only errors that the same input
+/// causes every time are stored.
 enum class KeptKind { result, invalid_input, topology_error, convergence_error };
 
-/// The kind of an error that follows from the input; nothing for one that may not come again (cancellation,
-/// memory, files) or is a defect of ours.
+/// The kind under which an error is stored; nullopt for an error that need not occur again with the same
+/// input (cancellation, memory, files) and for a defect of foramen.
 std::optional<KeptKind> kept_kind(const std::exception& error);
 [[noreturn]] void throw_kept(KeptKind kind, const Message& message);
 }  // namespace detail
 
-/// The result of `work`: as it was kept under this key in the run's store, or else computed and kept. An
-/// error that follows from the input is kept and thrown again like a result.
+/// Returns the result that the run's store holds under this key, or else calls `work`, stores its result and
+/// returns it. An error that follows from the input is stored too and thrown again on the next call. Without
+/// a store this is a plain call of `work`.
 template <class Result, class Work>
 Result kept(const RunContext& ctx, const StageKey& key, const Work& work) {
   StageStore* store = ctx.store();
