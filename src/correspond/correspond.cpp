@@ -118,7 +118,7 @@ GroupRegistration register_each(std::span<const Shape> shapes, const MappedRefer
             [&] { return register_shape(shape.mesh, mapped.reference, single, options.registration); });
     } catch (const Cancelled&) {
       throw;
-    } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
+    } catch (const std::exception& e) {  // a defect of foramen must not affect the other shapes either
       member.failure = message_of(e);
     }
     member.seconds = seconds_since(start);

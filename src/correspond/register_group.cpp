@@ -61,10 +61,10 @@ RegisterGroupOptions options_of_later(RegisterGroupOptions options) {
   return options;
 }
 
-// What draws the maps in a round by description length.
+// The data of a round that decreases the description length.
 struct GroupDescription {
   double length = 0;
-  std::vector<SimilarityTransform> transforms;  // per member: its own coordinates -> the mean's
+  std::vector<SimilarityTransform> transforms;  // per member: maps its coordinates to those of the mean
   std::vector<std::vector<Vec3>> attractors;    // per member, see DescriptionLength
 };
 
@@ -154,7 +154,7 @@ class GroupRegistrar {
         body(i);
       } catch (const Cancelled&) {
         throw;
-      } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
+      } catch (const std::exception& e) {  // a defect of foramen must not affect the other shapes either
         member.failure = message_of(e);
       }
       member.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -197,8 +197,8 @@ class GroupRegistrar {
 
   struct MemberFailed {};
 
-  // What the members make together: as it was kept, or made and kept. If a member fails on the way, the others
-  // make it anew, under the name of what it is then made from.
+  // A result that depends on all members: read from the store, or computed and stored. If a member fails
+  // meanwhile, the result is computed again from the others, under the key of these inputs.
   template <class Result>
   std::pair<StageKey, Result> together(const std::function<StageKey()>& key_of_present,
                                        const std::function<Result()>& work) {
@@ -245,8 +245,8 @@ class GroupRegistrar {
     for (std::size_t k = 0; k < members.size(); ++k) members[k]->to_template = rigid(transforms[k]);
   }
 
-  // What the members that are still there tell of each other. If the priors are read, the members need not be
-  // placed for them; each is placed when it is brought on.
+  // Computes the priors of all members that have not failed from each other. If the priors are read from the
+  // store, the members need not be placed for them; each member is placed in its next step.
   void learn_priors(const StageKey& to_mean, const PreparedTemplate& to) {
     const auto key = [&] {
       return StageKey(ctx_, "group's priors", to_mean, all_made_from(), options_.displacements,
@@ -264,7 +264,7 @@ class GroupRegistrar {
     result_.unexplained_shares.push_back(priors_.unexplained_share);
   }
 
-  // Draws every shape to what shortens the description of the cohort as its maps have it now.
+  // Computes the attractors that decrease the description length of the cohort for the present maps.
   StageKey describe(const StageKey& to_template, const PreparedTemplate& to) {
     const auto key = [&] { return StageKey(ctx_, "group's description", to_template, all_made_from()); };
     auto [described, description] =
@@ -302,8 +302,8 @@ class GroupRegistrar {
   const RegisterGroupOptions& options_;
   MemberSteps steps_;
   std::vector<Member> members_;
-  CohortPriors priors_;      // of the present round; without Bending::cohort the smooth process
-  bool are_placed_ = false;  // whether the members have the present mean's vertices
+  CohortPriors priors_;      // priors priors of the present round; without Bending::cohort the smooth process
+  bool are_placed_ = false;  // whether the members have the vertices of the present mean
   GroupRegistration result_;
 };
 

@@ -1,9 +1,10 @@
 #pragma once
 /// \file
-/// Private to correspond: what all shapes of a group make together as bytes (byte_archive.hpp), to be kept.
+/// Private to correspond: results that depend on all shapes of a group as bytes (byte_archive.hpp), for the
+/// store.
 ///
-/// A PreparedTemplate is larger than the TemplateSurface it is made of, and quickly made: only the surface is
-/// kept.
+/// A PreparedTemplate is larger than its TemplateSurface and quickly computed from it, so only the surface is
+/// stored.
 
 #include "correspond/cohort_prior.hpp"
 #include "correspond/mean_template.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to stages: why a shape has no part in a refit, as bytes, to be kept.
+/// Private to stages: the reason why a shape failed in a refit as bytes, for the store.
 
 #include "foramen/core/byte_archive.hpp"
 #include "foramen/stages/refit.hpp"
