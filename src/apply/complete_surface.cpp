@@ -1,7 +1,4 @@
 #include "foramen/apply/complete_surface.hpp"
-#include "match/oriented_points.hpp"
-#include "match/vertex_matches.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +10,9 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "match/oriented_points.hpp"
+#include "match/vertex_matches.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 namespace {

@@ -1,6 +1,4 @@
 #include "foramen/apply/shape_distribution.hpp"
-#include "foramen/match/bending_options.hpp"
-#include "match/smooth_displacements.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,6 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/error.hpp"
+#include "foramen/match/bending_options.hpp"
+#include "match/smooth_displacements.hpp"
 
 namespace foramen {
 namespace {

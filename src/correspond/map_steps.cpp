@@ -1,18 +1,18 @@
 #include "correspond/map_steps.hpp"
-#include "correspond/first_map.hpp"
-#include "correspond/shape_map.hpp"
-#include "correspond/transfer_homology.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "correspond/first_map.hpp"
+#include "correspond/shape_map.hpp"
+#include "correspond/transfer_homology.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "parameterize/optimise_map.hpp"
 #include "parameterize/refine_map.hpp"
 
 namespace foramen {

@@ -1,17 +1,17 @@
 #include "foramen/correspond/mean_registrar.hpp"
+
+#include <utility>
+
 #include "correspond/cohort_prior.hpp"
+#include "correspond/map_steps.hpp"
+#include "correspond/member_steps.hpp"
 #include "correspond/propagate_loops.hpp"
 #include "correspond/transfer_homology.hpp"
+#include "foramen/core/geometry.hpp"
 #include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "topology/periods.hpp"
-
-#include <utility>
-
-#include "correspond/map_steps.hpp"
-#include "correspond/member_steps.hpp"
-#include "foramen/core/geometry.hpp"
 
 namespace foramen {
 namespace {

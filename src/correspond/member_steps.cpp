@@ -1,23 +1,23 @@
 #include "correspond/member_steps.hpp"
-#include "correspond/first_map.hpp"
-#include "correspond/register_shape.hpp"
-#include "correspond/shape_map.hpp"
-#include "correspond/surface_targets.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "foramen/match/bending_options.hpp"
-#include "match/deform_template.hpp"
-#include "match/smooth_displacements.hpp"
-#include "parameterize/optimise_map.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <optional>
 #include <utility>
 
 #include "correspond/description_objective.hpp"
+#include "correspond/first_map.hpp"
 #include "correspond/map_steps.hpp"
+#include "correspond/register_shape.hpp"
+#include "correspond/shape_map.hpp"
+#include "correspond/surface_targets.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/match/bending_options.hpp"
+#include "match/deform_template.hpp"
 #include "match/oriented_points.hpp"
+#include "match/smooth_displacements.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
 namespace {

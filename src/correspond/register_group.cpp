@@ -1,5 +1,4 @@
 #include "correspond/register_group.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -19,6 +18,7 @@
 #include "correspond/template_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/torus_grid.hpp"
 
 namespace foramen {

@@ -1,10 +1,10 @@
 #include "correspond/register_shape.hpp"
-#include "correspond/propagate_loops.hpp"
-#include "foramen/parameterize/optimiser.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include "correspond/map_steps.hpp"
+#include "correspond/propagate_loops.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/parameterize/optimiser.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {

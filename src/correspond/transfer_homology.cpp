@@ -1,11 +1,11 @@
 #include "correspond/transfer_homology.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <string>
 
 #include "correspond/vertex_path.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "match/oriented_points.hpp"
 #include "topology/linking.hpp"
 

@@ -1,9 +1,4 @@
 #include "landmarks/landmarks_by_torus.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
-#include "sampling/curvature_density.hpp"
-#include "sampling/error_density.hpp"
-#include "sampling/remesh.hpp"
 
 #include <memory>
 #include <utility>
@@ -12,10 +7,15 @@
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/stage_store.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "sampling/curvature_density.hpp"
+#include "sampling/error_density.hpp"
 #include "sampling/landmark_archive.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "sampling/refine_landmarks.hpp"
+#include "sampling/remesh.hpp"
 #include "sampling/torus_grid.hpp"
 
 namespace foramen {

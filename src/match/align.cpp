@@ -1,5 +1,4 @@
 #include "foramen/match/align.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +8,7 @@
 #include "match/oriented_points.hpp"
 #include "match/principal_frame.hpp"
 #include "match/rigid_descent.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 namespace {

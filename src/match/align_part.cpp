@@ -1,5 +1,4 @@
 #include "foramen/match/align_part.hpp"
-#include "match/oriented_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
+#include "match/oriented_points.hpp"
 #include "match/rigid_descent.hpp"
 
 namespace foramen {

@@ -1,6 +1,4 @@
 #include "match/deform_template.hpp"
-#include "match/oriented_points.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +10,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "match/oriented_points.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 namespace {

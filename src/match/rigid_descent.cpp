@@ -1,8 +1,9 @@
 #include "match/rigid_descent.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "spatial/point_index.hpp"
 
 namespace foramen::detail {
 namespace {

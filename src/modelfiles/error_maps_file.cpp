@@ -1,9 +1,9 @@
 #include "modelfiles/error_maps_file.hpp"
-#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "io/hdf5_file.hpp"
 
 namespace foramen {

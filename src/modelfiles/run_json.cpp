@@ -1,10 +1,10 @@
 #include "modelfiles/run_json.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <sys/resource.h>
 
 #include <algorithm>
 
+#include "foramen/correspond/registration_frame.hpp"
 #include "modelfiles/options_json.hpp"
 #include "modelfiles/repair_record.hpp"
 #include "modelfiles/version.hpp"

@@ -1,10 +1,10 @@
 #include "modelfiles/usable_model.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "foramen/core/error.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 namespace foramen {
 namespace {

@@ -1,5 +1,4 @@
 #include "pages/page_loops.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <cmath>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "render/vertebra_scenes.hpp"
 #include "sampling/lift_to_surface.hpp"
 

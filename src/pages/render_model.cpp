@@ -1,5 +1,4 @@
 #include "pages/render_model.hpp"
-#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/metrics_file.hpp"

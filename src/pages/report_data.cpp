@@ -1,5 +1,4 @@
 #include "pages/report_data.hpp"
-#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <limits>
 
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "modelfiles/version.hpp"
 #include "pages/page_loops.hpp"
 #include "report/encoded_array.hpp"

@@ -1,5 +1,4 @@
 #include "parameterize/newton.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "foramen/core/error.hpp"
 #include "parameterize/flip_free_step.hpp"
 #include "parameterize/newton_system.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {

@@ -1,10 +1,11 @@
 #include "parameterize/newton_system.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
+
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {

@@ -1,5 +1,4 @@
 #include "parameterize/polak_ribiere.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "parameterize/flip_free_step.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {

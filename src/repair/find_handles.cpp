@@ -1,5 +1,4 @@
 #include "foramen/repair/find_handles.hpp"
-#include "topology/periods.hpp"
 
 #include <cstdlib>
 #include <numeric>
@@ -11,6 +10,7 @@
 #include "repair/handle_search.hpp"
 #include "repair/loop_surgery.hpp"
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace repair_detail {

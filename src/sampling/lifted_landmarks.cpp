@@ -1,10 +1,10 @@
 #include "sampling/lifted_landmarks.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <algorithm>
 
 #include "core/parallel.hpp"
 #include "foramen/core/geometry.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen::detail {
 namespace {

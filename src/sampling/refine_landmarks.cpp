@@ -1,10 +1,10 @@
 #include "sampling/refine_landmarks.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/landmark_repairs.hpp"
 #include "spatial/flips.hpp"
 #include "spatial/self_intersections.hpp"

@@ -1,8 +1,9 @@
 #include "sampling/torus_triangulation.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 #include <map>
+
+#include "foramen/sampling/landmark_mesh.hpp"
 
 namespace foramen::detail {
 

@@ -1,10 +1,10 @@
 #include "foramen/stages/build_model.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <chrono>
 
 #include "core/freed_memory.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 namespace foramen {
 namespace {

@@ -1,5 +1,4 @@
 #include "topology/linking.hpp"
-#include "topology/periods.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -8,6 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "topology/lifted_loop.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -1,10 +1,10 @@
 #include "workflow/build_choices.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/register_options.hpp"
 
 #include <array>
 
 #include "foramen/core/error.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
 
 namespace foramen {
 namespace {

@@ -1,9 +1,9 @@
 #include "foramen/apply/shape_distribution.hpp"
-#include "foramen/match/bending_options.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "support/torus_cohort.hpp"
 
 namespace foramen {

@@ -1,11 +1,11 @@
 #include "correspond/cohort_prior.hpp"
-#include "foramen/correspond/group_options.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
+#include "foramen/correspond/group_options.hpp"
 #include "match/smooth_displacements.hpp"
 #include "support/lopsided_torus.hpp"
 

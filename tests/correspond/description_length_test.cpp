@@ -1,5 +1,4 @@
 #include "correspond/description_length.hpp"
-#include "foramen/correspond/group_options.hpp"
 
 #include <cmath>
 
@@ -9,6 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
+#include "foramen/correspond/group_options.hpp"
 
 namespace foramen {
 namespace {

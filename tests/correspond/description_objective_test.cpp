@@ -1,5 +1,4 @@
 #include "correspond/description_objective.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/rng.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 
 namespace foramen {

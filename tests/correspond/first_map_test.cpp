@@ -1,16 +1,16 @@
 #include "correspond/first_map.hpp"
-#include "correspond/propagate_loops.hpp"
-#include "correspond/transfer_homology.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "correspond/propagate_loops.hpp"
+#include "correspond/transfer_homology.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/certificate.hpp"
 #include "support/lopsided_torus.hpp"
 #include "topology/linking.hpp"

@@ -1,7 +1,4 @@
 #include "correspond/mean_template.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 
@@ -9,7 +6,10 @@
 
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/torus_grid.hpp"
 
 namespace foramen {

@@ -1,10 +1,10 @@
 #include "correspond/propagate_loops.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "support/meshes.hpp"
 #include "topology/periods.hpp"
 

@@ -1,7 +1,4 @@
 #include "correspond/register_group.hpp"
-#include "correspond/register_shape.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -10,9 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "correspond/register_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/group_options.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/torus_cohort.hpp"
 #include "topology/linking.hpp"

@@ -1,6 +1,4 @@
 #include "correspond/shape_map.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/mapped_torus.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {

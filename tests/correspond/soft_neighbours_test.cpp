@@ -1,5 +1,4 @@
 #include "correspond/soft_neighbours.hpp"
-#include "foramen/correspond/register_options.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/rng.hpp"
+#include "foramen/correspond/register_options.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {

@@ -1,8 +1,4 @@
 #include "correspond/template_metric.hpp"
-#include "correspond/template_surface.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "parameterize/optimise_map.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "correspond/mean_template.hpp"
+#include "correspond/template_surface.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 
 namespace foramen {

@@ -1,9 +1,9 @@
 #include "correspond/template_surface.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/mapped_torus.hpp"
 
 namespace foramen {

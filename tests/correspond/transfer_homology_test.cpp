@@ -1,15 +1,15 @@
 #include "correspond/transfer_homology.hpp"
-#include "correspond/propagate_loops.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "topology/periods.hpp"
 
 #include <gtest/gtest.h>
 
+#include "correspond/propagate_loops.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -1,6 +1,4 @@
 #include "evaluate/error_map.hpp"
-#include "foramen/evaluate/representation.hpp"
-#include "spatial/flips.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +8,9 @@
 #include <limits>
 #include <set>
 
+#include "foramen/evaluate/representation.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "spatial/flips.hpp"
 #include "support/meshes.hpp"
 #include "support/torus_cohort.hpp"
 

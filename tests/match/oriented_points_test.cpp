@@ -1,11 +1,11 @@
 #include "match/oriented_points.hpp"
-#include "spatial/point_index.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "foramen/core/error.hpp"
+#include "spatial/point_index.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen {

@@ -1,9 +1,9 @@
 #include "match/rigid_descent.hpp"
-#include "match/oriented_points.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "match/oriented_points.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen::detail {

@@ -1,10 +1,10 @@
 #include "match/vertex_matches.hpp"
-#include "foramen/match/bending_options.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "match/robust_weight.hpp"
 
 namespace foramen {

@@ -1,5 +1,4 @@
 #include "parameterize/initial_map.hpp"
-#include "topology/periods.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include "foramen/parameterize/certificate.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "support/real_meshes.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -1,6 +1,4 @@
 #include "parameterize/optimise_map.hpp"
-#include "foramen/parameterize/optimiser.hpp"
-#include "topology/periods.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +8,11 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 #include "parameterize/distortion.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "support/real_meshes.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -1,10 +1,10 @@
 #include "parameterize/periodic_laplacian.hpp"
-#include "topology/periods.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
 #include "parameterize/mapped_torus.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {

@@ -1,6 +1,4 @@
 #include "sampling/error_density.hpp"
-#include "foramen/sampling/sampling_options.hpp"
-#include "sampling/torus_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 #include "sampling/mapped_tori.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen {
 namespace {

@@ -1,10 +1,10 @@
 #include "sampling/landmark_repairs.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/mapped_cohort.hpp"
 
 namespace foramen::detail {

@@ -1,10 +1,10 @@
 #include "sampling/refine_landmarks.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
 #include "foramen/parameterize/certificate.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/mapped_cohort.hpp"
 #include "spatial/self_intersections.hpp"
 

@@ -1,7 +1,4 @@
 #include "sampling/remesh.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
-#include "sampling/curvature_density.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +7,9 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
+#include "sampling/curvature_density.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 
