@@ -40,6 +40,17 @@ TEST_F(ErrorMapsFile, ComesBackInTheOrderOfTheNames) {
   EXPECT_THAT(maps[1].confirmed_flips, ElementsAre(3));
 }
 
+TEST_F(ErrorMapsFile, InSinglePrecisionIsWhatIsReadBack) {
+  ErrorMap map{{}, {1, 2}, {2}};
+  for (int i = 0; i < 100; ++i) map.landmark_mm.push_back(0.1 * i);
+  write_error_maps(file_, {{"a", map}});
+  const ErrorMap read = read_error_maps(file_, {"a"}, 100, 4).front(), rounded = in_single_precision(map);
+  EXPECT_NE(rounded.landmark_mm, map.landmark_mm);
+  EXPECT_EQ(rounded.landmark_mm, read.landmark_mm);
+  EXPECT_EQ(rounded.plain_flips, read.plain_flips);
+  EXPECT_EQ(rounded.confirmed_flips, read.confirmed_flips);
+}
+
 TEST_F(ErrorMapsFile, OfAnotherModelIsRefused) {
   expect_refused({"a", "x"}, 3, 4, "/shapes/x");
   expect_refused({"a"}, 5, 4, "3 numbers for 5 landmarks");

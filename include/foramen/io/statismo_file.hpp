@@ -40,6 +40,9 @@ struct StatismoModel {
 /// IoError.
 void write_statismo(const std::filesystem::path& path, const StatismoModel& model);
 
+/// The model that read_statismo() gives back of one that is written: its numbers have single precision.
+StatismoModel in_single_precision(StatismoModel model);
+
 /// Reads version 0.9 and 1.x of a triangle-mesh model, as JSON if the name ends in .json. Throws IoError
 /// naming file, dataset and what is wrong with it: missing, of another shape, not finite, negative variances,
 /// a basis whose columns are not orthonormal (1e-3), weights that are not positive.
