@@ -8,15 +8,14 @@
 #include "exchange/convert.hpp"
 #include "findings/compare_models.hpp"
 #include "foramen/core/error.hpp"
-#include "io/atomic_file.hpp"
 #include "options.hpp"
-#include "pages/model_page.hpp"
 #include "pages/render_model.hpp"
 #include "workflow/build_choices.hpp"
 #include "workflow/evaluate_folder.hpp"
 #include "workflow/label_choices.hpp"
 #include "workflow/run_build.hpp"
 #include "workflow/run_extract.hpp"
+#include "workflow/write_report.hpp"
 
 namespace foramen::python {
 namespace {
@@ -189,13 +188,9 @@ std::string compare(const std::vector<std::string>& models) {
 std::string report(const std::string& model, const std::string& output, const std::string& baseline,
                    bool plain) {
   const py::gil_scoped_release unlocked;
-  PageOptions options;
-  if (plain) options.kind = PageKind::plain;
-  options.baseline = baseline;
-  const ModelPage page = model_page(model, options);
-  std::string path = output.empty() ? (std::filesystem::path(model) / "report.html").string() : output;
-  write_file(path, page.html);
-  return path;
+  ReportRequest request{.model = model, .output = output, .page = {.baseline = baseline}};
+  if (plain) request.page.kind = PageKind::plain;
+  return write_report(request).file.string();
 }
 
 // files, shapes, landmarks, notes
