@@ -2,6 +2,7 @@
 /// \file
 /// What the sub-commands of the program share.
 
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <map>
@@ -56,6 +57,9 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& val
       ->transform(CLI::IsMember(words, CLI::ignore_case))
       ->default_str(chosen);
 }
+
+/// Says how many meshes were written to a folder, as text or as JSON.
+void tell_written(const Console& console, const std::filesystem::path& folder, int files);
 
 /// Adds --threads, --json, --quiet, --events, --log.
 void add_console_options(CLI::App& command, Console& console);

@@ -4,9 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "io/atomic_file.hpp"
-#include "pages/model_page.hpp"
 #include "pages/render_model.hpp"
+#include "workflow/write_report.hpp"
 
 namespace foramen::app {
 namespace {
@@ -35,13 +34,11 @@ int render(const PictureCommand& command) {
 }
 
 int report(const PictureCommand& command) {
-  const fs::path file =
-      command.output.empty() ? fs::path(command.model) / "report.html" : fs::path(command.output);
-  PageOptions options{.baseline = command.baseline};
-  if (command.plain) options.kind = PageKind::plain;
-  const ModelPage page = model_page(command.model, options);
-  write_file(file, page.html);
-  command.console.say(file.string() + ": " + page.remark);
+  ReportRequest request{
+      .model = command.model, .output = command.output, .page = {.baseline = command.baseline}};
+  if (command.plain) request.page.kind = PageKind::plain;
+  const WrittenReport written = write_report(request);
+  command.console.say(written.file.string() + ": " + written.remark);
   return ExitCode::done;
 }
 

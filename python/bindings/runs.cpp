@@ -8,9 +8,7 @@
 #include "exchange/convert.hpp"
 #include "findings/compare_models.hpp"
 #include "foramen/core/error.hpp"
-#include "io/atomic_file.hpp"
 #include "options.hpp"
-#include "pages/model_page.hpp"
 #include "pages/render_model.hpp"
 #include "remedy_words.hpp"
 #include "workflow/build_choices.hpp"
@@ -18,6 +16,7 @@
 #include "workflow/label_choices.hpp"
 #include "workflow/run_build.hpp"
 #include "workflow/run_extract.hpp"
+#include "workflow/write_report.hpp"
 
 namespace foramen::python {
 namespace {
@@ -190,13 +189,9 @@ std::string compare(const std::vector<std::string>& models) {
 std::string report(const std::string& model, const std::string& output, const std::string& baseline,
                    bool plain) {
   const py::gil_scoped_release unlocked;
-  PageOptions options;
-  if (plain) options.kind = PageKind::plain;
-  options.baseline = baseline;
-  const ModelPage page = model_page(model, options);
-  std::string path = output.empty() ? (std::filesystem::path(model) / "report.html").string() : output;
-  write_file(path, page.html);
-  return path;
+  ReportRequest request{.model = model, .output = output, .page = {.baseline = baseline}};
+  if (plain) request.page.kind = PageKind::plain;
+  return write_report(request).file.string();
 }
 
 // files, shapes, landmarks, notes

@@ -1,7 +1,5 @@
 #include "findings/papers.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace foramen {
 namespace {
 
@@ -44,11 +42,11 @@ constexpr Paper davies{
 
 }  // namespace
 
-std::vector<Paper> papers_used(const nlohmann::ordered_json& options) {
+std::vector<Paper> papers_used(const RunOptions& options) {
   std::vector<Paper> papers{becker, erickson};
-  if (options.at("method") == "icp") papers.push_back(brett);
+  if (options.method() == Method::icp) papers.push_back(brett);
   papers.insert(papers.end(), {fuhrmann, gower, cootes});
-  if (options.at("objective") == "description") papers.push_back(thodberg);
+  if (options.objective() == "description") papers.push_back(thodberg);
   papers.push_back(davies);
   return papers;
 }

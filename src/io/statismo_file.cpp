@@ -10,6 +10,7 @@
 #include "io/atomic_file.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/hdf5_json_file.hpp"
+#include "io/single_precision.hpp"
 
 namespace foramen {
 namespace {
@@ -273,6 +274,16 @@ void write_statismo(const std::filesystem::path& path, const StatismoModel& mode
   } else {
     write_h5(path, [&](H5Writer& file) { write_model(file, model); });
   }
+}
+
+StatismoModel in_single_precision(StatismoModel model) {
+  for (Vec3& p : model.points) p = p.unaryExpr(&rounded_to_single);
+  model.mean = model.mean.unaryExpr(&rounded_to_single);
+  model.basis = model.basis.unaryExpr(&rounded_to_single);
+  model.variance = model.variance.unaryExpr(&rounded_to_single);
+  model.noise_variance = rounded_to_single(model.noise_variance);
+  model.scores = model.scores.unaryExpr(&rounded_to_single);
+  return model;
 }
 
 StatismoModel read_statismo(const std::filesystem::path& path) {

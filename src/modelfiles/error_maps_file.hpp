@@ -20,6 +20,9 @@ struct NamedErrorMap {
 /// /shapes/NAME/plain_flips and /shapes/NAME/confirmed_flips, indices of landmark triangles.
 void write_error_maps(const std::filesystem::path& path, const std::vector<NamedErrorMap>& maps);
 
+/// The map that is read back of one that is written.
+ErrorMap in_single_precision(ErrorMap map);
+
 /// The maps of the shapes of these names, in their order. Throws IoError if one is missing or does not fit a
 /// mesh of so many landmarks and triangles.
 std::vector<ErrorMap> read_error_maps(const std::filesystem::path& path,

@@ -23,6 +23,9 @@ struct LoadedModel {
 /// Reads MODEL/model.h5 (or a model.h5 itself). Throws IoError.
 LoadedModel load_model(const std::filesystem::path& path);
 
+/// What load_model() gives of the model that write_model_files() writes of a build.
+LoadedModel loaded_as_written(const BuildRecord& record, const std::string& command);
+
 /// Scores of the training shapes, modes x shapes, in standard deviations.
 Eigen::MatrixXd training_scores(const AlignedModel& aligned);
 

@@ -117,7 +117,7 @@ ordered_json shapes_json(const ModelRecord& record) {
     shapes.push_back(
         {{"name", evaluation.names[i]},
          {"subject", evaluation.subjects.empty() ? ordered_json() : ordered_json(evaluation.subjects[i])},
-         {"is_reference", record.run.at("reference") == evaluation.names[i]},
+         {"is_reference", record.run.reference == evaluation.names[i]},
          {"scores", scores},
          {"error", errors_json(map.landmark_mm)},
          {"plain_flips", indices_json(map.plain_flips)},

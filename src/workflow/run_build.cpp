@@ -13,12 +13,11 @@
 #include "inputs/subject_of.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/corresponding_folder.hpp"
+#include "modelfiles/describe_run.hpp"
 #include "modelfiles/error_maps_file.hpp"
 #include "modelfiles/folder_lock.hpp"
 #include "modelfiles/metrics_file.hpp"
 #include "modelfiles/model_folder.hpp"
-#include "modelfiles/repair_record.hpp"
-#include "modelfiles/run_json.hpp"
 #include "modelfiles/version.hpp"
 #include "pages/model_page.hpp"
 #include "workflow/build_from.hpp"
@@ -170,19 +169,20 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const RunDescription asked{request.canonical_command, request.build,
                              request.labels.value_or(LabelRequest{})};
-  const auto run = run_json(asked, record, evaluation, {seconds, ctx.threads(), store->taken_up()});
-  write_file(request.output / "run.json", run.dump(2) + "\n");
-  const ModelPage page = model_page(request.output);  // of what was written: `foramen report` makes the same
+  RunRecord run = describe_run(asked, record, evaluation, {seconds, ctx.threads(), store->taken_up()});
+  BuildSummary summary;
+  summary.json = run_json(run);
+  write_file(request.output / "run.json", summary.json + "\n");
+  const ModelRecord written = record_as_written(std::move(run), std::move(evaluation), record);
+  const ModelPage page = model_page(written);
   write_file(request.output / "report.html", page.html);
   if (request.store.empty()) store->remove();
   ctx.step("write", 1);
 
-  BuildSummary summary;
   summary.left_out = record.left_out;
-  summary.notes = notes_on(record, evaluation);
+  summary.notes = notes_on(record, written.evaluation);
   for (const std::string& note : store->notes()) summary.notes.emplace_back(note);
-  summary.text = model_summary(run, evaluation) + "\nreport.html: " + page.remark;
-  summary.json = run.dump(2);
+  summary.text = model_summary(written.run, written.evaluation) + "\nreport.html: " + page.remark;
   return summary;
 }
 

@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "foramen/core/error.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 #include "io/atomic_file.hpp"
+#include "modelfiles/extraction_record.hpp"
 #include "modelfiles/repair_record.hpp"
-#include "modelfiles/run_json.hpp"
 #include "modelfiles/version.hpp"
 
 namespace foramen {

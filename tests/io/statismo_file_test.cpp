@@ -66,6 +66,21 @@ TEST(Statismo, RoundTripToSinglePrecision) {
   EXPECT_EQ(read.builder_name, "foramen");
 }
 
+TEST(Statismo, InSinglePrecisionIsWhatIsReadBack) {
+  const TemporaryFolder folder;
+  StatismoModel model = example();
+  model.noise_variance = 0.1;
+  write_statismo(folder.file("model.h5"), model);
+  const StatismoModel read = read_statismo(folder.file("model.h5")), rounded = in_single_precision(model);
+  EXPECT_NE(model.mean, rounded.mean);
+  EXPECT_EQ(read.points, rounded.points);
+  EXPECT_EQ(read.mean, rounded.mean);
+  EXPECT_EQ(read.basis, rounded.basis);
+  EXPECT_EQ(read.variance, rounded.variance);
+  EXPECT_EQ(read.noise_variance, rounded.noise_variance);
+  EXPECT_EQ(read.scores, rounded.scores);
+}
+
 // What is read was rounded already: writing it again changes nothing.
 TEST(Statismo, SameBytesTwiceAndAfterReading) {
   const TemporaryFolder folder;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sampling/torus_grid.hpp"
 #include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
 #include "topology/periods.hpp"

@@ -42,6 +42,9 @@ struct StatismoModel {
 /// not agree, a value is not finite or a corner does not exist; IoError if the file cannot be written.
 void write_statismo(const std::filesystem::path& path, const StatismoModel& model);
 
+/// The model that read_statismo() gives back of one that is written: its numbers have single precision.
+StatismoModel in_single_precision(StatismoModel model);
+
 /// Reads a triangle-mesh model of version 0.9 or 1.x, as JSON if the name ends in .json. Throws IoError with
 /// the file, the dataset and its fault: missing, of the wrong shape, not finite, a negative variance, basis
 /// columns that are not orthonormal within 1e-3, or weights that are not positive.

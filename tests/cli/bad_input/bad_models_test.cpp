@@ -162,8 +162,8 @@ TEST_F(BadModels, WhoseReportCannotBeMade) {
   const auto refused = [&](const std::string& file, const std::string& bytes, const std::string& message) {
     expect_refused("report " + broken(file, bytes).string(), file, message);
   };
-  refused("run.json", "no json", "");
-  refused("run.json", "{}", "");
+  refused("run.json", "no json", "is not JSON");
+  refused("run.json", "{}", "version is missing");
   refused("atlas.h5", "no atlas", "is no HDF5 file");
   const std::string atlas = bytes_of(good() / "atlas.h5");
   refused("atlas.h5", atlas.substr(0, atlas.size() / 2), "damaged or cut off");
