@@ -126,7 +126,7 @@ LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelReque
                            listed(plan.missing_of_ranges) + " of those asked for");
   if (!plan.unnamed.empty())
     result.notes.push_back({name + ": " + plural(plan.unnamed.size(), "label ", "labels ") +
-                           listed(plan.unnamed) + plural(plan.unnamed.size(), " has", " have") +
+                                listed(plan.unnamed) + plural(plan.unnamed.size(), " has", " have") +
                                 " no name and were not taken: choose among them, or say what they are",
                             {{RemedyKind::choose_labels}, {RemedyKind::name_labels}}});
   return result;

@@ -15,7 +15,7 @@ namespace foramen {
 
 struct ModelRecord {
   RunRecord run;
-  Evaluation evaluation;       ///< with the items of shapes
+  Evaluation evaluation;  ///< with the items of shapes
   Atlas atlas;
   LoadedModel loaded;
   std::vector<ErrorMap> error_maps;  ///< one per shape

@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "foramen/core/error.hpp"
 #include "core/parallel.hpp"
+#include "foramen/core/error.hpp"
 #include "inputs/read_cohort.hpp"
 #include "io/atomic_file.hpp"
 #include "io/table_file.hpp"

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "sampling/torus_grid.hpp"
 #include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
 #include "topology/periods.hpp"
