@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A model built of read shapes, with where they come from.
+/// A model and the origin of its shapes.
 
 #include <string>
 #include <vector>
@@ -11,9 +11,9 @@
 namespace foramen {
 
 struct BuildRecord {
-  std::vector<InputShape> inputs;  ///< of the model's shapes, in its order
-  std::vector<LeftOut> left_out;   ///< when reading or registering
-  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  std::vector<InputShape> inputs;  ///< the shapes of the model, in its order
+  std::vector<LeftOut> left_out;   ///< inputs that could not be read or registered
+  std::vector<std::string> notes;  ///< remarks for the user that are no errors
   BuiltModel built;
 };
 

@@ -11,19 +11,20 @@
 
 namespace foramen {
 
-/// What the files of a model's folder hold.
+/// The contents of the files in a model's folder.
 struct ModelRecord {
   nlohmann::ordered_json run;  ///< run.json
-  Evaluation evaluation;       ///< with the items of shapes
+  Evaluation evaluation;       ///< with the values of each shape
   Atlas atlas;
   LoadedModel loaded;
   std::vector<ErrorMap> error_maps;  ///< one per shape
 };
 
-/// Throws IoError if a file is missing or broken, or the files are not of one model.
+/// Reads the files. Throws IoError if a file is missing or broken, or if the files belong to different
+/// models.
 ModelRecord read_model_record(const std::filesystem::path& folder);
 
-/// Whether a shape of run.json is part of the model.
+/// Whether this entry of run.json is a shape of the model, and not one that was left out.
 bool is_used(const nlohmann::ordered_json& shape);
 
 }  // namespace foramen

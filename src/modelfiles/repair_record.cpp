@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// More are counted, but not written one by one.
+// The positions of further changes are not written; their number is.
 constexpr std::size_t most_positions = 100;
 
 ordered_json position_json(const Vec3& p) { return {p.x(), p.y(), p.z()}; }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a repair changed, as JSON.
+/// The changes of a repair, as JSON.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -8,11 +8,11 @@
 
 namespace foramen {
 
-/// Every change with its count and positions [mm] (the first hundred of a kind), the handles that were
-/// removed with their loops, the canal that is left, what could not be mended.
+/// For every kind of change, its count and its positions [mm] (at most one hundred); the removed handles with
+/// their loops; the canal; and the defects that could not be repaired.
 nlohmann::ordered_json repair_json(const RepairReport& report);
 
-/// One handle: which way it is removed, its loops [mm], its position.
+/// One handle: whether it is cut or filled, the lengths of its loops [mm], and its position.
 nlohmann::ordered_json handle_json(const Handle& handle);
 
 }  // namespace foramen
