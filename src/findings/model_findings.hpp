@@ -10,18 +10,19 @@
 
 namespace foramen {
 
-/// The figures of a model that are quoted first, a line each. \param run  the contents of run.json
+/// The main results of a model, one per line. \param run  the contents of run.json
 std::vector<std::string> summary_lines(const nlohmann::ordered_json& run, const Evaluation& evaluation);
 
-/// Representation and flips, a row a shape.
+/// Representation error and flips, with one row per shape.
 ReportTable shapes_table(const nlohmann::ordered_json& run, const Evaluation& evaluation);
-/// Inputs that are not in the model, and why; without rows if there are none.
+/// The inputs that are not in the model, with the reasons. The table has no rows if there are none.
 ReportTable left_out_table(const nlohmann::ordered_json& run);
 ReportTable repairs_table(const nlohmann::ordered_json& run);
-/// Shapes that failed in a refit, and why; without rows if there are none.
+/// The shapes that failed in a refit, with the reasons. The table has no rows if there are none.
 ReportTable refit_failures_table(const Evaluation& evaluation);
 
-/// How the model was made: nothing that differs from run to run.
+/// The options of the build. This table and the next two contain nothing that differs between runs, such as
+/// times.
 ReportTable options_table(const nlohmann::ordered_json& run);
 ReportTable inputs_table(const nlohmann::ordered_json& run);
 ReportTable papers_table(const nlohmann::ordered_json& run);

@@ -11,7 +11,7 @@ struct Paper {
   std::string_view citation, used_for;
 };
 
-/// What a model rests on, by the options of its run record.
+/// The papers whose methods a model uses, by the options of its run record.
 std::vector<Paper> papers_used(const nlohmann::ordered_json& options);
 
 }  // namespace foramen

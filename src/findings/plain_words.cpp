@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double most_variation = 0.8;  // what the named modes hold together
+constexpr double most_variation = 0.8;  // the share of variation that the described modes have together
 constexpr double named_sd = 2;          // 95 % of a normal distribution
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
@@ -40,7 +40,7 @@ Statement what_it_is(const ModelRecord& record) {
   return {"What this is", text};
 }
 
-// Largest displacement of a landmark by so many standard deviations of a mode, mm.
+// The largest displacement of a landmark [mm] at named_sd standard deviations of a mode.
 double reach(const ShapeModel& model, int mode) {
   const auto displacements = unflattened(model.basis().col(mode) * std::sqrt(model.variance()[mode]));
   double largest = 0;
