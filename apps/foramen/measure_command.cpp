@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 struct MeasureCommand {
   std::string model, definitions, output;
-  std::vector<std::string> meshes;  // empty: the model's own
+  std::vector<std::string> meshes;  // empty: the training shapes of the model
   LengthUnit unit = LengthUnit::millimetre;
   Console console;
 };

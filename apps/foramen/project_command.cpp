@@ -28,10 +28,10 @@ struct ProjectCommand {
   Console console;
 };
 
-// What became of one surface.
+// The result for one surface.
 struct Projected {
   InputShape input;
-  std::string failure;  // empty: none
+  std::string failure;  // empty: no failure
   Projection projection;
 };
 
@@ -106,7 +106,8 @@ int project(const ProjectCommand& command) {
   const std::vector<fs::path> files = find_meshes({command.surfaces.begin(), command.surfaces.end()});
   ctx.step("model", 0);
   const SurfaceProjector projector(read_usable_model(command.model), ctx);
-  if (!command.leave_out.empty()) projector.without(command.leave_out);  // refused before the work begins
+  // Unknown names are refused before the work begins.
+  if (!command.leave_out.empty()) projector.without(command.leave_out);
   std::vector<Projected> all(files.size());
   std::atomic<int> done{0};
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {

@@ -23,10 +23,10 @@ struct ReconstructCommand {
 
 struct NamedScores {
   std::string name;
-  Eigen::VectorXd scores;  // of all modes, in standard deviations
+  Eigen::VectorXd scores;  // scores of all modes, in standard deviations
 };
 
-// The mode, from 0, of a column "mode3".
+// The index of the mode, counted from 0, of a column such as "mode3".
 int mode_of(const std::string& column, int modes, const std::string& file) {
   for (int m = 0; m < modes; ++m)
     if (column == "mode" + std::to_string(m + 1)) return m;
@@ -34,7 +34,7 @@ int mode_of(const std::string& column, int modes, const std::string& file) {
                 std::to_string(modes));
 }
 
-// One shape a row; modes without a column are 0.
+// Reads one shape per row. The scores of modes without a column are 0.
 std::vector<NamedScores> read_scores(const std::string& file, int modes) {
   const Table table = read_csv(file);
   if (table.header.front() != "shape")

@@ -49,8 +49,7 @@ struct ConvertRequest {
   /// (.swproj), .tps, or a landmark table (.csv).
   std::filesystem::path input;
   std::filesystem::path output;
-  std::optional<ExchangeFormat> format = std::nullopt;  ///< unset: by the output's extension; ply for a
-                                                        ///< folder
+  std::optional<ExchangeFormat> format = std::nullopt;  ///< unset: by the extension; ply for a folder
   LengthUnit unit = LengthUnit::millimetre;             ///< unit of the shapes in the input; models are in mm
   std::filesystem::path triangles = {};  ///< a mesh whose triangles are used for points without triangles
   ScaleMode scale = ScaleMode::keep;     ///< for the alignment, if a model is made from shapes

@@ -34,8 +34,7 @@ struct PicturedModel {
   /// +1 or -1. The sign of a mode is arbitrary; this factor gives the first mode the direction of the other
   /// model's.
   double first_mode_sign = 1;
-  Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< from the model's coordinates to those of the
-                                                            ///< picture
+  Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< from model to picture coordinates
 };
 /// The first mode at +2 sd (above) and -2 sd of the baseline (left) and of this model (right), seen by the
 /// same camera. Each triangle is shaded flat, so that folds are visible. This is the paper's Fig. 3. \pre

@@ -60,11 +60,8 @@ std::optional<Canal> find_canal(const Mesh& mean, const std::array<std::vector<S
     const Vec3 middle = centroid(points);
     Mat3 spread = Mat3::Zero();
     for (const Vec3& p : points) spread += (p - middle) * (p - middle).transpose();
-    const Vec3 axis = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);  // the direction of
-                                                                                          // least spread,
-                                                                                          // which is the
-                                                                                          // normal of the
-                                                                                          // loop
+    // The normal of the loop is the direction of least spread.
+    const Vec3 axis = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
     canal = Canal{middle, axis.z() < 0 ? Vec3(-axis) : axis};
   }
   return canal;

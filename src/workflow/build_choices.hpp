@@ -38,8 +38,7 @@ struct BuildChoices {
   std::optional<DistortionMeasure> distortion = std::nullopt;
   std::optional<Bending> bending = std::nullopt;
   std::optional<std::string> reference = std::nullopt;
-  std::optional<double> lambda = std::nullopt;  ///< weight for the objective in use; the objectives have
-                                                ///< different units
+  std::optional<double> lambda = std::nullopt;  ///< for the objective in use, in its unit
   std::optional<int> landmarks = std::nullopt;
   std::optional<double> target_error_mm = std::nullopt;
   std::optional<int> samples = std::nullopt;

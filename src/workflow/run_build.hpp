@@ -18,8 +18,7 @@ struct BuildRequest {
   LengthUnit unit = LengthUnit::millimetre;   ///< unit of the meshes among the inputs
   std::optional<LabelRequest> labels =
       std::nullopt;  ///< labels of the label maps among the inputs; unset: all labels with a name
-  std::optional<RepairOptions> repair = std::nullopt;  ///< if set, surfaces that the audit refuses are
-                                                       ///< repaired
+  std::optional<RepairOptions> repair = std::nullopt;  ///< if set, unusable surfaces are repaired
   BuildOptions build = {};
   EvaluationOptions evaluation = {};
   bool refit = false;           ///< also refit_generalization(): as many builds as there are shapes

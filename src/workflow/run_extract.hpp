@@ -14,8 +14,7 @@ struct ExtractRequest {
   std::vector<std::filesystem::path> inputs;  ///< label maps, and folders of them
   std::filesystem::path output;               ///< folder of the meshes
   LabelRequest labels = {};
-  std::optional<RepairOptions> repair = std::nullopt;  ///< If set, surfaces that cannot be used for a model
-                                                       ///< are repaired.
+  std::optional<RepairOptions> repair = std::nullopt;  ///< if set, unusable surfaces are repaired
   std::string canonical_command;                       ///< recorded in extract.json
 };
 
