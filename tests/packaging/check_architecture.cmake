@@ -1,7 +1,7 @@
 # cmake -D ROOT=... -D MODULES="core;io;..." -P check_architecture.cmake
 #
-# docs/architecture.md and the code agree: the list has all modules in their order, every file it names
-# exists, and every call of the first table is declared in the header and defined in the source of its row.
+# Checks docs/architecture.md against the code: the list has all modules in their order, every file named there exists,
+# and every call of the first table is declared in the header and defined in the source of its row.
 cmake_policy(VERSION 3.25)
 file(READ ${ROOT}/docs/architecture.md text)
 set(problems "")

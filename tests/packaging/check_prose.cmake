@@ -7,7 +7,7 @@ cmake_policy(VERSION 3.25)
 set(longest_line 120)
 set(longest_cell 100)
 
-# How many characters a text has: its bytes but for those that continue a character of UTF-8 (10xxxxxx).
+# The number of characters of a text: the number of its bytes without continuation bytes of UTF-8 (10xxxxxx).
 function(count_characters text result)
   string(HEX "${text}" bytes)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\1 " bytes "${bytes}")
@@ -17,7 +17,8 @@ function(count_characters text result)
   set(${result} ${length} PARENT_SCOPE)
 endfunction()
 
-# Adds to `problems` if the text is longer than the limit. Bytes are counted first: that is cheap, and never too few.
+# Adds to `problems` if the text is longer than the limit. Bytes are counted first, because that is fast and never gives
+# a smaller number.
 function(require_short what where text limit)
   string(LENGTH "${text}" length)
   if(length LESS_EQUAL limit)
@@ -32,7 +33,7 @@ endfunction()
 
 function(check_page page)
   file(READ ${ROOT}/${page} text)
-  # Characters that mean something in CMake's lists become others, one for one; \| is a bar within a cell.
+  # Characters with a meaning in CMake's lists are replaced, one by one. \| is a bar within a cell.
   string(REPLACE "\\|" "//" text "${text}")
   string(REPLACE "\\" "/" text "${text}")
   string(REPLACE ";" "," text "${text}")
