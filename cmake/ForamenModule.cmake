@@ -1,11 +1,11 @@
 # foramen_add_module(NAME [INTERNAL] [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...] [PACKAGES package...]
 #                    [WHOLE_SUITES suite...])
 #
-# One library foramen_NAME (alias foramen::NAME) from src/NAME, and one test program NAME_tests from tests/NAME/*_test.cpp.
-# The library and its headers for users (include/foramen/NAME) are installed as a component of the package, unless the module
-# is INTERNAL: then only the program and the Python module use it. PACKAGES are what a consumer of the installed module must
-# find beside Eigen, TBB and threads. Tests whose name contains RealData need the real shapes; all
-# others carry the label quick, which the sanitizer legs run. WHOLE_SUITES: see foramen_discover_tests.
+# One library foramen_NAME (alias foramen::NAME) from src/NAME, and one test program NAME_tests from
+# tests/NAME/*_test.cpp. The library and its headers for users (include/foramen/NAME) are installed as a component of
+# the package, unless the module is INTERNAL: then only the program and the Python module use it. PACKAGES are what a
+# consumer of the installed module must find beside Eigen, TBB and threads. Tests whose name contains RealData need the
+# real shapes; all others carry the label quick, which the sanitizer legs run. WHOLE_SUITES: see foramen_discover_tests.
 function(foramen_add_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "" "DEPENDS;LINK;LINK_PRIVATE;PACKAGES;WHOLE_SUITES")
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -67,8 +67,8 @@ function(foramen_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# foramen_precompile(TARGET HEADERS): compile TARGET with cmake/precompiled/HEADERS.hpp parsed once; the first target that asks
-# parses it for all, so they must be compiled with the same options.
+# foramen_precompile(TARGET HEADERS): compile TARGET with cmake/precompiled/HEADERS.hpp parsed once; the first target
+# that asks parses it for all, so they must be compiled with the same options.
 function(foramen_precompile target headers)
   get_property(owner GLOBAL PROPERTY FORAMEN_PRECOMPILED_${headers})
   if(owner)

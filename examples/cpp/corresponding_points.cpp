@@ -1,4 +1,5 @@
-// A model of corresponding points from any tool: alignment, principal components, and how well they generalize.
+// A model of corresponding points from any tool: alignment, principal components, and how well they
+// generalize.
 #include <cmath>
 #include <cstdio>
 

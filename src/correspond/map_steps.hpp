@@ -20,8 +20,8 @@ FirstMap placed_first_map(const Mesh& carried, const Mesh& embedded, const Refer
 ShapeMap finished_map(const Mesh& input, const WorkingMesh& working, const OptimisedMap& coarse,
                       const std::function<OptimisedMap(const TorusMap& start)>& optimise);
 
-/// Checks a finished map against the reference: its homology (require_reference_homology()) and its direction.
-/// Returns map_agreement(). Throws TopologyError.
+/// Checks a finished map against the reference: its homology (require_reference_homology()) and its
+/// direction. Returns map_agreement(). Throws TopologyError.
 /// \param input  in its own coordinates  \param to_reference  its rigid alignment
 Vec2 require_map_like_reference(const Mesh& input, const RigidTransform& to_reference, const TorusMap& map,
                                 const Reference& reference);

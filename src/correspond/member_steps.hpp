@@ -50,8 +50,8 @@ class MemberSteps {
       : reference_(reference), single_(ctx.with_threads(1)), options_(options) {}
 
   WorkingMesh simplified(const Mesh& input) const;
-  /// Computes the first map, starting from the rigid alignment with the reference, and optimises it towards the
-  /// first template. \pre the working mesh is there
+  /// Computes the first map, starting from the rigid alignment with the reference, and optimises it towards
+  /// the first template. \pre the working mesh is there
   /// \param prior  of the template's displacement onto the shape; the smooth process by default
   void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to,
              const DisplacementPrior& prior = {}) const;

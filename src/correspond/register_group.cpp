@@ -90,8 +90,8 @@ class GroupRegistrar {
     for (int round = 0; round < options_.round_limit; ++round) {
       MeanTemplate next = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
-      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes are
-      // still in the old template's frame.
+      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes
+      // are still in the old template's frame.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
       to_last = StageKey(ctx_, "group's mean", all_made_from(), options_.mean, options_of_later(options_));

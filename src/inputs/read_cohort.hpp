@@ -60,7 +60,8 @@ std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesy
 /// Reads and audits each file: meshes in the given unit, and the requested labels of label maps. A surface
 /// that cannot be used is left out with its reason; a bad file is no reason to throw. Throws InvalidInput if
 /// two shapes have the same stem, or if a label that was requested by itself is in no label map.
-/// \param repair  if set, surfaces that the audit refuses are repaired. Surfaces of labels are always repaired.
+/// \param repair  if set, surfaces that the audit refuses are repaired. Surfaces of labels are always
+/// repaired.
 Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx,
                    const LabelRequest& labels = {},
                    const std::optional<RepairOptions>& repair = std::nullopt);

@@ -27,8 +27,8 @@ LoadedModel load_model(const std::filesystem::path& path);
 Eigen::MatrixXd training_scores(const AlignedModel& aligned);
 
 /// Writes mean.ply, model.h5, corresponding/, modes/, atlas.h5 and scores.csv, each whole or not at all.
-/// `command` is recorded in model.h5. The coordinates of the corresponding meshes are divided by `millimetres`,
-/// the length of one unit of the input files, so that the meshes have the unit of these files.
+/// `command` is recorded in model.h5. The coordinates of the corresponding meshes are divided by
+/// `millimetres`, the length of one unit of the input files, so that the meshes have the unit of these files.
 void write_model_files(const std::filesystem::path& folder, const BuildRecord& record,
                        const std::string& command, double millimetres);
 

@@ -34,8 +34,8 @@ void describe(Visitor& visit, MaybeConst<CohortPriorOptions> auto& o) {
          .meaning = "least share of the smooth process's variance that is left to what no other shape does"});
 }
 
-/// The coefficients of all shapes. The prior of one shape is made from them when it is needed, since the priors
-/// of all shapes together would grow with the square of their number.
+/// The coefficients of all shapes. The prior of one shape is made from them when it is needed, since the
+/// priors of all shapes together would grow with the square of their number.
 struct CohortPriors {
   Eigen::MatrixXd coefficients;  ///< a column per shape; empty: fewer than 3 shapes
   double unexplained_share = 1;  ///< see cohort_priors()
@@ -49,7 +49,8 @@ struct CohortPriors {
 /// other shapes do not explain,
 /// \f$ v = \sum_i |a_i - \hat a_i|^2 / \sum_i |a_i - m_i|^2 \f$, at most 1, where
 ///
-/// - \f$ a_i \f$ are the coefficients of shape i: the most probable ones given its points and the smooth process,
+/// - \f$ a_i \f$ are the coefficients of shape i: the most probable ones given its points and the smooth
+///   process,
 /// - \f$ m_i \f$ is the mean of the other shapes' coefficients,
 /// - \f$ \hat a_i \f$ is the least-squares fit of \f$ a_i \f$ by the other shapes' coefficients.
 ///

@@ -10,9 +10,9 @@
 
 namespace foramen {
 
-/// Registers surfaces to the mean of a model, which takes the place of both the reference and the template. The
-/// shortest loops of the mean are found, and its torus map is expressed in their basis. One registrar serves any
-/// number of surfaces; const calls may run in parallel.
+/// Registers surfaces to the mean of a model, which takes the place of both the reference and the template.
+/// The shortest loops of the mean are found, and its torus map is expressed in their basis. One registrar
+/// serves any number of surfaces; const calls may run in parallel.
 class MeanRegistrar {
  public:
   /// \param mean  landmarks and their map to the torus  \param training  the model's shapes in its own

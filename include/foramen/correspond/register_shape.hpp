@@ -64,8 +64,9 @@ struct RegisteredShape {
 };
 
 /// Aligns the shape with the reference, carries the reference's loops to it, maps it to the reference's torus
-/// and minimises E_cor + lambda E_deg. Throws TopologyError or ConvergenceError with the reason if a check fails:
-/// the Seifert test of the first map, the certificate of the finished map, its homology or its direction.
+/// and minimises E_cor + lambda E_deg. Throws TopologyError or ConvergenceError with the reason if a check
+/// fails: the Seifert test of the first map, the certificate of the finished map, its homology or its
+/// direction.
 RegisteredShape register_shape(const Mesh& shape, const Reference& reference, const RunContext& ctx,
                                const RegisterOptions& options = {});
 
