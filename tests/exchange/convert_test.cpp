@@ -24,10 +24,10 @@ using testing::bytes_of;
 using ::testing::HasSubstr;
 using testing::TemporaryFolder;
 
-// Coordinates are of single precision, a vertebra's size.
+// Coordinates have single precision and the size of a vertebra.
 constexpr double tolerance = 1e-4;
 
-// Five shapes of the size of vertebrae, in single precision as PLY has them, in folder/meshes.
+// Five shapes of the size of vertebrae in folder/meshes, in the single precision of PLY files.
 class Convert : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -67,7 +67,7 @@ class Convert : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// Through every format that holds the shapes' own coordinates, and back to the very same meshes.
+// Converting to each format that holds the shapes' own coordinates, and back, gives the same meshes.
 TEST_F(Convert, ShapesComeBackTheSame) {
   const ConvertRequest with_triangles{.input = {}, .output = {}, .triangles = meshes() / "L0.ply"};
   for (const char* name : {"a.tps", "a.csv", "study/a.swproj"}) {
@@ -88,7 +88,7 @@ TEST_F(Convert, ShapesMakeAModelThatHoldsThem) {
   const StatismoModel model = read_statismo(file("model.h5"));
   EXPECT_EQ(model.variance.size(), 4);
   EXPECT_EQ(model.shape_uris.front(), "L0");
-  // The training shapes of the model are the meshes up to a motion.
+  // The training shapes of the model are the meshes, except for a rigid motion.
   converted(file("model.h5"), file("aligned"));
   const CorrespondingFolder a = read_corresponding(meshes()), b = read_corresponding(file("aligned"));
   for (std::size_t i = 0; i < a.shapes.size(); ++i) {
@@ -115,7 +115,8 @@ TEST_F(Convert, ScoresAreThoseOfTheModel) {
   EXPECT_EQ(parse_number(table.rows.at(2).at(table.column("mode3"))), scores(2, 2));
 }
 
-// World particles are what the project's transforms make of local ones, all near each other.
+// The transforms of the project map local particles to world particles, in which all shapes are near each
+// other.
 TEST_F(Convert, ProjectOfShapeWorksHangsTogether) {
   converted(meshes(), file("a.swproj"));
   const auto subjects = read_shapeworks(file("a.swproj"));
@@ -177,12 +178,12 @@ TEST_F(Convert, WhatCannotBeIsRefused) {
   EXPECT_THAT(
       refusal(file("a.tps"), file("a.h5"), {.input = {}, .output = {}, .triangles = file("small.ply")}),
       HasSubstr("has 20 vertices"));
-  // Meshes of another set would be taken for a part of this one.
+  // A folder with meshes of another set is refused, because readers would take them for a part of this set.
   fs::create_directories(file("full"));
   write_ply(file("full") / "old.ply", testing::torus_soup(5, 4));
   EXPECT_THAT(refusal(meshes(), file("full")), HasSubstr("old.ply"));
   EXPECT_FALSE(fs::exists(file("full") / "L0.ply"));
-  // A name in a file must not lead out of the folder.
+  // A name in a file must not lead to a path outside the folder.
   std::ofstream(file("evil.tps")) << "LM3=1\n1 2 3\nID=../evil\n";
   EXPECT_THAT(refusal(file("evil.tps"), file("out.csv")), HasSubstr("cannot be that of a file"));
 }

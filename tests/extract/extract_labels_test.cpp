@@ -90,7 +90,7 @@ TEST(ReadLabelNames, FromCsv) {
               HasSubstr("label"));
 }
 
-// Boxes of one label each, side by side; the last reaches the border.
+// Boxes of one label each, beside each other. The last one reaches the border.
 class ExtractLabels : public ::testing::Test {
  protected:
   std::filesystem::path file(const std::vector<int>& labels) {

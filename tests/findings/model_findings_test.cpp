@@ -10,7 +10,7 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::StartsWith;
 
-// Figures are given for some numbers of modes only.
+// Measures are computed only for some numbers of modes.
 TEST(SummaryLines, CountTheModesOfTheModelNotTheNumbersOfModesMeasured) {
   constexpr int shapes = 200;
   nlohmann::ordered_json run = {{"shapes", nlohmann::ordered_json::array()},

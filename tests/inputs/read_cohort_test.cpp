@@ -86,7 +86,7 @@ TEST(ReadCohort, OneBadFileIsLeftOutWithItsReason) {
   EXPECT_THAT(cohort.left_out[1].reason, HasSubstr("torn.ply"));
 }
 
-// A torus with a thin bridge and a hole: neither is beyond repair.
+// A torus with a thin bridge and a hole, both of which can be repaired.
 TriangleSoup defective() {
   testing::TorusWithHandles torus(120, 60);
   torus.bridge(10, 20, 14);
@@ -115,7 +115,7 @@ TEST(ReadCohort, WhatTheAuditRefusesIsRepairedOnRequest) {
   EXPECT_EQ(report.changes.size(), 2u);
   EXPECT_EQ(report.removed_handles[0].kind, LoopKind::handle);
   EXPECT_EQ(report.canal.kind, LoopKind::tunnel);
-  // In the file's coordinates: nothing but the patches is new.
+  // The result has the coordinates of the file. Only the patches are new.
   const TriangleSoup raw = read_mesh(folder.file("mendable.ply")).soup;
   std::size_t kept = 0;
   for (const Vec3& p : cohort.shapes[1].mesh.positions())
@@ -133,7 +133,7 @@ TEST(RepairSurface, TakesUnitsAndRefusesWrongOnes) {
   EXPECT_NEAR(repaired.report.canal.length_mm, 75, 2);
   EXPECT_THAT(refusal([&] { repair_surface(soup, LengthUnit::millimetre, {}, RunContext(1)); }),
               HasSubstr("--units m"));
-  // A piece far away does not make it another unit.
+  // A piece far away does not change the unit.
   soup = defective();
   soup.points.insert(soup.points.end(), {Vec3(600, 0, 0), Vec3(601, 0, 0), Vec3(600, 1, 0)});
   const int n = static_cast<int>(soup.points.size());

@@ -105,7 +105,8 @@ TEST(PartSheets, RealDataACollapsedTunnelIsMendedOrLeftAlone) {
   FORAMEN_NEEDS_REAL_DATA();
   const Mesh mended = testing::real_mesh("cervical/verse561_C5_genus2");
   expect_parted(mended, part_sheets(mended));
-  // Parting this one would close a tunnel, which is for remove_handles() to judge.
+  // Separating these sheets would close a tunnel. remove_handles() has to decide about tunnels, so they are
+  // left.
   const Mesh left = testing::real_mesh("cervical/verse823_C6_genus4");
   const PartedSheets same = part_sheets(left);
   EXPECT_EQ(static_cast<int>(same.remaining.size()), meeting(left));
