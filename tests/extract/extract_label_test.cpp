@@ -38,7 +38,7 @@ LabelMap torus_map(const Vec3& spacing, const Mat3& direction = oblique()) {
 }
 
 // The same voxels at the same places, stored in another order: axis a of the new map runs along axis order[a]
-// of the old one, in the opposite direction if reversed[a].
+// of the old one, in the opposite direction if backwards[a].
 LabelMap restored(const LabelMap& map, const std::array<int, 3>& order,
                   const std::array<bool, 3>& backwards) {
   LabelMap out;

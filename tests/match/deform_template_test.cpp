@@ -74,7 +74,7 @@ TEST_F(DeformTemplate, GoesOnFromAStart) {
 TEST_F(DeformTemplate, AKnownDirectionOfDisplacementIsKeptTo) {
   const Mesh goal = displaced(surface, truth);
   const Mesh shape = displaced(build_mesh(knobbly_torus_soup(83, 47)), truth);
-  // The true displacement, scaled by one half, is one of the basis functions.
+  // The direction that the prior knows is half the true displacement.
   Eigen::MatrixX3d displacement(surface.vertex_count(), 3);
   for (VertexId v : surface.vertices())
     displacement.row(v.index) = 0.5 * (goal.position(v) - surface.position(v)).transpose();

@@ -19,7 +19,8 @@ constexpr int around = 80, tube = 40;
 // The first triangle of the quad at these steps about the axis and about the tube.
 int triangle_at(int i, int j) { return 2 * (i * tube + j); }
 
-// Marked triangles: a patch on top of the tube, over a quarter of the ring, and single triangles elsewhere.
+// Marked triangles: a patch on top of the tube, a quarter turn round the ring, and single triangles
+// elsewhere.
 std::vector<int> scattered_and_a_patch() {
   std::vector<int> marked;
   for (int i = 0; i < around; i += 8) marked.push_back(triangle_at(i, 0));

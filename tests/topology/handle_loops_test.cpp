@@ -71,8 +71,7 @@ TEST(LoopKind, ALoopWithoutEdgesIsRefused) {
   EXPECT_THROW(loop_kind(build_mesh(torus_soup(6, 5)), {}), InvalidInput);
 }
 
-// All shortest ways in the double cover, by relaxation of every triple (Floyd and Warshall): slow and
-// obvious.
+// All shortest paths in the double cover, by the algorithm of Floyd and Warshall.
 double brute_force_crossing(const Mesh& mesh, const EdgeLoop& loop, const EdgeMap<double>& lengths) {
   EdgeMap<int> crossings(mesh.edge_count(), 0);
   for (std::size_t i = 0; i < loop.size(); ++i) {  // edges left of the loop, between its edge i and the next

@@ -45,8 +45,8 @@ TEST_P(ModelFolder, TheModelReadBackIsTheModelBuilt) {
   EXPECT_TRUE(loaded.scores.isApprox(training_scores(made.built.aligned), single_precision));
 }
 
-// Readers that know no weights take the file's own modes: orthonormal, of the same distribution of shapes,
-// with the scores of the same shapes.
+// Readers that ignore weights use the modes in the file. These are orthonormal and describe the same
+// distribution of shapes, and the scores belong to the same shapes.
 TEST_P(ModelFolder, TheFileIsRightForReadersThatKnowNoWeights) {
   const testing::TemporaryFolder folder;
   const BuildRecord& made = build();
