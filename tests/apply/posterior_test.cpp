@@ -96,7 +96,7 @@ TEST(Posterior, WithoutObservationsIsThePrior) {
   EXPECT_LT((covariance(given) - covariance(prior)).norm(), 1e-12);
 }
 
-TEST(Posterior, SeenTwiceIsSeenWithTwiceThePrecision) {
+TEST(Posterior, AnObservationGivenTwiceHasTwiceThePrecision) {
   const ShapeDistribution prior = random_distribution(6);
   std::vector<LandmarkObservation> once = random_observations(7);
   std::vector<LandmarkObservation> twice = once;
@@ -106,7 +106,7 @@ TEST(Posterior, SeenTwiceIsSeenWithTwiceThePrecision) {
             1e-12);
 }
 
-TEST(Posterior, WhatIsSeenInAPlaneOnlyStaysFreeAlongIt) {
+TEST(Posterior, AnObservationAcrossAPlaneLeavesMotionAlongItFree) {
   // One landmark with a prior in all directions. The match moves it across the plane to the observed place,
   // and not along the plane.
   const ShapeDistribution prior{Eigen::Vector3d(1, 2, 3), Eigen::Matrix3d::Identity()};

@@ -109,7 +109,7 @@ TEST(RankReferences, BeginsWithTheShapeOfMedianSize) {
   EXPECT_THAT(rank_references(shapes), ElementsAre(2, 3, 1, 0, 4));
 }
 
-TEST(RankReferences, EndsWithWhatTakesMinutesToCutOpen) {
+TEST(RankReferences, EndsWithVeryLargeShapes) {
   const Shape ordinary{"ordinary", build_mesh(testing::torus_soup(16, 10))},
       large{"large", build_mesh(testing::torus_soup(400, 260))};
   const std::vector<Shape> shapes{large, ordinary, large};

@@ -135,7 +135,7 @@ TEST_F(RegisterGroup, AnotherReferenceLeadsToTheSameCorrespondence) {
 
 // The shapes have one mode of variation, so the position of points on one shape follows from the other
 // shapes.
-TEST_F(RegisterGroup, WhatTheOtherShapesTellBringsItNearerToTheTruth) {
+TEST_F(RegisterGroup, ThePriorFromTheOtherShapesLowersTheError) {
   const testing::SmoothDisplacement mode(0.6, 90, Rng(22));
   std::vector<Mesh> shapes;
   for (int i = 0; i < 6; ++i) {

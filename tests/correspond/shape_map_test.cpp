@@ -45,7 +45,7 @@ class Certified : public ::testing::Test {
   const testing::MappedTorus torus_ = testing::mapped_bumpy_torus(24, 10, 3);
 };
 
-TEST_F(Certified, TellsOfBothSearchesAndHoldsTheSecondsMap) {
+TEST_F(Certified, ReportsBothSearchesAndHoldsTheMapOfTheSecond) {
   const ShapeMap result = certified_as(torus_.map);
   EXPECT_EQ(result.iterations, 5);
   EXPECT_EQ(result.initial_energy, 10);

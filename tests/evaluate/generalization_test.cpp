@@ -117,7 +117,7 @@ TEST(Generalization, LeavesEachSubjectOut) {
   }
 }
 
-TEST(Generalization, AShapeSeenInAnotherOfItsSubjectIsNotSeenInThisForm) {
+TEST(Generalization, LeavingOutASubjectLeavesOutAllItsShapes) {
   // Every subject has two equal shapes. If only one of them is left out, the model still contains its twin;
   // if the subject is left out, it does not.
   CorrespondingCohort cohort = torus_cohort({.shapes = 8});

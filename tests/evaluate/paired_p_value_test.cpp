@@ -24,7 +24,7 @@ TEST(PairedPValue, OfThreeDifferencesByHand) {
   EXPECT_EQ(p_of({1, 1, -1}), 1);  // |sums| 3, 1, 1, 1
 }
 
-TEST(PairedPValue, TheFewestAndTheLeast) {
+TEST(PairedPValue, OfVeryFewAndOfZeroDifferences) {
   EXPECT_EQ(p_of({5}), 1);
   EXPECT_EQ(p_of({5, 1}), 0.5);
   EXPECT_EQ(p_of({0, 0, 0, 0}), 1);

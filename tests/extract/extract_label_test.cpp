@@ -121,7 +121,7 @@ TEST(ExtractLabel, TheSamePointsHoweverTheMapIsStored) {
 }
 
 // For any direction matrix, including reflections, the bump must have its place in space.
-TEST(ExtractLabel, StandsWhereItIsInSpaceAndIsWoundOutward) {
+TEST(ExtractLabel, HasItsPlaceInSpaceAndIsWoundOutward) {
   Rng rng(5);
   for (int repeat = 0; repeat < 8; ++repeat) {
     Mat3 direction = Eigen::Quaterniond(rng.normal(), rng.normal(), rng.normal(), rng.normal())

@@ -64,14 +64,14 @@ TEST_F(DeformTemplate, MovesWithTheTwoSurfaces) {
   EXPECT_LT(rms(transformed(here, motion), there), 0.02);
 }
 
-TEST_F(DeformTemplate, GoesOnFromAStart) {
+TEST_F(DeformTemplate, ContinuesFromAStart) {
   const Mesh shape = displaced(surface, truth);
   const auto bent = deform_template(surface, functions, shape, ctx, {.noise_mm = {0.25}, .iterations = 1},
                                     shape.positions());
   EXPECT_LT(rms(bent, shape.positions()), 0.15);
 }
 
-TEST_F(DeformTemplate, AKnownDirectionOfDisplacementIsKeptTo) {
+TEST_F(DeformTemplate, APriorThatKnowsTheDirectionLowersTheError) {
   const Mesh goal = displaced(surface, truth);
   const Mesh shape = displaced(build_mesh(knobbly_torus_soup(83, 47)), truth);
   // The direction that the prior knows is half the true displacement.
