@@ -34,7 +34,7 @@ struct BuildSummary {
   std::vector<LeftOut> left_out;
   std::vector<std::string> notes;  ///< remarks for the user that are no errors
   std::string text;                ///< a few lines for a terminal
-  std::string json;                ///< the same as one object
+  std::string json;                ///< the same information as one JSON object
 };
 
 /// Runs the build and writes every file of the model's folder, each whole or not at all. Finished stages are

@@ -80,7 +80,7 @@ TEST(RepairAnything, AnySoupIsMendedOrRefusedAndDroppedBesideASurface) {
   }
 }
 
-// Triangles by the positions of their corners, whatever their order and first corner.
+// The triangles by the positions of their corners, independent of their order and first corner.
 std::vector<std::array<double, 9>> surface_of(const TriangleSoup& soup) {
   std::vector<std::array<double, 9>> triangles;
   for (const auto& t : soup.triangles) {

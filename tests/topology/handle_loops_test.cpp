@@ -77,7 +77,7 @@ double brute_force_crossing(const Mesh& mesh, const EdgeLoop& loop, const EdgeMa
   for (std::size_t i = 0; i < loop.size(); ++i) {  // edges left of the loop, between its edge i and the next
     const HalfedgeId next = loop[(i + 1) % loop.size()];
     HalfedgeId h = mesh.twin(loop[i]);
-    // Clockwise from the way back, that is to the left of the loop.
+    // Clockwise from the edge to the previous vertex, that is, to the left of the loop.
     for (h = Mesh::next(mesh.twin(h)); h != next; h = Mesh::next(mesh.twin(h))) ++crossings[mesh.edge(h)];
   }
   const std::size_t n = mesh.vertex_count();

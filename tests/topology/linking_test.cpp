@@ -71,7 +71,7 @@ TEST(LinkingNumber, OfHopfLinks) {
 }
 
 TEST(LinkingNumber, CountsTurns) {
-  // The trefoil goes twice about the axis and three times about the core of its torus.
+  // The trefoil winds twice round the axis and three times round the core of its torus.
   const auto knot = polygon(200, trefoil);
   const auto core = polygon(50, [](double t) { return Vec3(20 * flat_circle(t)); });
   const auto axis = polygon(50, [](double t) { return Vec3(60 * upright_circle(t)); });
