@@ -9,7 +9,7 @@ namespace {
 
 struct BuildCommand {
   BuildArguments arguments;
-  BuildRequest request;  // as the arguments have it
+  BuildRequest request;  // set from the arguments
   std::vector<std::string> inputs;
   std::string output;
   bool strict = false;

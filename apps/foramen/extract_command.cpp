@@ -10,7 +10,7 @@ namespace {
 
 struct ExtractCommand {
   LabelFlags flags;
-  std::optional<LabelRequest> labels;  // as the flags have it
+  std::optional<LabelRequest> labels;  // set from the flags
   std::vector<std::string> inputs;
   std::string output;
   bool strict = false, repair = false;

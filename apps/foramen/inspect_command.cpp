@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Of a surface that has more than the canal; empty where they cannot be told.
+// The handles of a surface that has more than the canal; unset if they cannot be determined.
 std::optional<SurfaceHandles> handles_of(const TriangleSoup& soup, const MeshReport& r,
                                          const Console& console) {
   if (r.genus.value_or(0) < 2 || *r.genus > RemoveHandlesOptions().most_handles || !is_in_millimetres(r) ||
@@ -28,7 +28,7 @@ std::optional<SurfaceHandles> handles_of(const TriangleSoup& soup, const MeshRep
   try {
     return find_handles(r.inward ? reversed(mesh) : mesh, console.context().without_progress());
   } catch (const ConvergenceError&) {
-    return std::nullopt;  // it runs through itself there
+    return std::nullopt;  // the surface intersects itself at a handle
   }
 }
 

@@ -17,7 +17,7 @@ int run_program(int argc, char** argv) {
       "Example: foramen build shapes/ -o model"};
   program.set_version_flag("--version", "foramen " + version());
   program.require_subcommand(1);
-  program.option_defaults()->always_capture_default();  // help shows them
+  program.option_defaults()->always_capture_default();  // the help shows defaults
   Run run;
   add_demo(program, run);
   add_synth(program, run);
@@ -40,7 +40,7 @@ int run_program(int argc, char** argv) {
   add_manual(program, run);
   for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
     for (CLI::Option* option : command->get_options())
-      if (option->get_required()) option->default_str("");  // what must be given has no default to show
+      if (option->get_required()) option->default_str("");  // a required option has no default
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -25,7 +25,7 @@ int render(const PictureCommand& command) {
   const nlohmann::ordered_json captions = write_rendered(files, folder);
   for (const RenderedFile& file : files)
     command.console.say((folder / file.name).string() + ": " + file.caption);
-  // Names of shapes and folders may be no UTF-8; JSON must be.
+  // Names of shapes and folders may be invalid UTF-8, but JSON must be valid UTF-8.
   if (command.console.json)
     std::cout << nlohmann::ordered_json{{"folder", command.output}, {"files", captions}}.dump(
                      2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)

@@ -80,11 +80,11 @@ std::string text_of(const nlohmann::ordered_json& value) {
 
 namespace {
 
-// How often the interpreter is asked whether the user has pressed Ctrl-C.
+// The interval at which the interpreter is asked whether the user has pressed Ctrl-C.
 constexpr std::chrono::milliseconds between_signals(50);
 
-// Does the work on a thread of its own and calls look() from time to time until it is done. Throws what the
-// work throws.
+// Does the work on a thread of its own, and calls look() at regular intervals until it is done. Throws what
+// the work throws.
 void run_beside(const std::function<void()>& work, const std::function<void()>& look) {
   std::packaged_task<void()> task(work);
   std::future<void> done = task.get_future();
@@ -98,9 +98,9 @@ void run_beside(const std::function<void()>& work, const std::function<void()>& 
 
 void run_unlocked(int threads, const py::object& progress,
                   const std::function<void(const RunContext&)>& work) {
-  std::exception_ptr raised;  // by the callback, or by Ctrl-C; looked at under the interpreter's lock
+  std::exception_ptr raised;  // exception of the callback or of Ctrl-C; accessed under the interpreter's lock
   const RunContext* running = nullptr;
-  // Calls what may raise an exception of Python, which then ends the work.
+  // Makes a call that may raise a Python exception. Such an exception ends the work.
   const auto stopping = [&](const auto& call) {
     const py::gil_scoped_acquire lock;
     if (raised) return;
@@ -116,7 +116,7 @@ void run_unlocked(int threads, const py::object& progress,
       if (!progress.is_none()) progress(p.stage, p.fraction, p.item);
     });
   };
-  // Python's handlers of signals run on its main thread alone, which waits here while others work.
+  // Python handles signals only on its main thread, which waits here while other threads work.
   const auto look_for_signals = [&] {
     stopping([] {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();

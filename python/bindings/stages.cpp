@@ -23,7 +23,7 @@ struct MadeCorrespondence {
   CorrespondOptions options;
 };
 
-// The surfaces as a build takes them from files: audited, and wound outward.
+// The surfaces, audited and wound outward as those that a build reads from files.
 GivenShapes given_shapes(const std::vector<std::string>& names, const std::vector<PointArray>& points,
                          const std::vector<TriangleArray>& triangles, const std::vector<std::string>& spaces,
                          int threads, const py::object& progress) {
@@ -56,7 +56,8 @@ GivenShapes given_shapes(const std::vector<std::string>& names, const std::vecto
   return given;
 }
 
-// What a stage throws for want of shapes also names those that the audit refused.
+// Runs a stage. If it throws because there are too few shapes, the message also names those that the audit
+// refused.
 template <class Stage>
 auto with_refused(const GivenShapes& given, const Stage& stage) {
   try {
@@ -91,7 +92,7 @@ py::dict record_of(const ShapeRegistration& shape) {
   return out;
 }
 
-// What Python's Correspondence is made of.
+// The values from which Python's Correspondence is made.
 py::dict registration_of(const CohortRegistration& cohort, const GivenShapes& given) {
   std::vector<FailedShape> failed = given.refused;
   failed.insert(failed.end(), cohort.failed.begin(), cohort.failed.end());
@@ -115,7 +116,7 @@ BuildOptions options_of(const py::dict& chosen) {
   return build_options(choices);
 }
 
-// what it can be used for, what is said of it
+// Returns the correspondence for the next stages, and its description.
 py::tuple correspond_shapes(const GivenShapes& given, const py::dict& chosen, const py::dict& further,
                             int threads, const py::object& progress) {
   auto made = std::make_shared<MadeCorrespondence>();
@@ -156,7 +157,7 @@ void refuse_choices_of_correspondence(const py::dict& chosen) {
       throw ChoiceWithoutEffect(name, "has no effect on a correspondence that is finished");
 }
 
-// build_model() from the second stage on.
+// The stages of build_model() after correspond().
 BuiltModel built_from(std::span<const Shape> shapes, const Correspondence& correspondence,
                       const BuildOptions& options, const RunContext& ctx) {
   BuiltModel built;
@@ -182,7 +183,8 @@ py::array_t<double> transforms_array(const std::vector<SimilarityTransform>& tra
   return out;
 }
 
-// What Python's Model is made of: the model, what it is used with, the corresponding points, the transforms.
+// The values from which Python's Model is made: the model, the data for its use, the corresponding points,
+// and the transforms.
 py::dict model_parts(const std::vector<std::vector<Vec3>>& corresponding, UsableModel usable,
                      LandmarkWeights weights) {
   py::dict out;
@@ -195,7 +197,7 @@ py::dict model_parts(const std::vector<std::vector<Vec3>>& corresponding, Usable
   return out;
 }
 
-// The space of the reference, as mean.ply has it.
+// The space of the reference, which is also that of mean.ply.
 AnatomicalSpace space_of_reference(const GivenShapes& given, const std::string& reference) {
   for (std::size_t i = 0; i < given.shapes.size(); ++i)
     if (given.shapes[i].name == reference) return given.spaces[i];

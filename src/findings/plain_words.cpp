@@ -38,7 +38,7 @@ Statement what_it_is(const ModelRecord& record) {
   return {"What this is", text};
 }
 
-// Largest displacement of a landmark by so many standard deviations of a mode, mm.
+// The largest displacement of a landmark [mm] at named_sd standard deviations of a mode.
 double reach(const ShapeModel& model, int mode) {
   const auto displacements = unflattened(model.basis().col(mode) * std::sqrt(model.variance()[mode]));
   double largest = 0;

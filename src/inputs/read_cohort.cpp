@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// Files that a folder may stand for.
+// The files that are read if a folder is given.
 struct Kind {
   const char* what;
   bool meshes, label_maps;
@@ -48,7 +48,7 @@ struct Kind {
 constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
     shape_files{"mesh file and no label map", true, true};
 
-// std::filesystem reports through std::filesystem_error, which names no remedy.
+// Throws IoError instead of std::filesystem_error, whose message does not say what to do.
 std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
   std::error_code failed;
   std::vector<fs::path> found;
@@ -91,7 +91,7 @@ TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
   return soup;
 }
 
-// The shape that this one is a copy of; null if there is none.
+// A shape of the list with the same surface as this one; null if there is none.
 const InputShape* same_surface(const InputShape& shape, const std::vector<InputShape>& others) {
   const auto found = std::find_if(others.begin(), others.end(), [&](const InputShape& other) {
     const auto a = shape.mesh.positions(), b = other.mesh.positions();
@@ -101,7 +101,8 @@ const InputShape* same_surface(const InputShape& shape, const std::vector<InputS
   return found == others.end() ? nullptr : &*found;
 }
 
-// What names a file's shapes: equal ones clash. A label map's shapes have longer names than it.
+// Two files with equal results here would have shapes of the same name. The flag tells meshes and label maps
+// apart, because the names of a label map's shapes are longer than its stem.
 std::pair<std::string, bool> stem_of(const fs::path& file) {
   const bool label_map = is_label_map(file);
   return {label_map ? label_map_stem(file) : file.stem().string(), label_map};
@@ -164,9 +165,8 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
   }
 }
 
-// Adds the labels of one label map after the other to a cohort, so that one at a time is in memory. Their
-// surfaces are made here, with the handles that noise of single voxels leaves: they are repaired whether or
-// not it is asked for.
+// Adds the labels of the label maps to a cohort, one map after the other, so that only one is in memory.
+// Surfaces of labels are always repaired, because noise of single voxels may leave handles on them.
 class LabelMapReader {
  public:
   LabelMapReader(const LabelRequest& request, const std::optional<RepairOptions>& repair, Cohort& cohort)
@@ -196,7 +196,7 @@ class LabelMapReader {
     cohort_.notes.insert(cohort_.notes.end(), labels.notes.begin(), labels.notes.end());
   }
 
-  // A label that was named singly and is nowhere is a mistake of the command.
+  // Throws InvalidInput if a label that was given by itself, not in a range, is in no label map.
   void require_singles() const {
     for (const auto& [label, reason] : absent_)
       if (!present_.contains(label)) throw InvalidInput(reason.about("label " + std::to_string(label)));
@@ -245,7 +245,8 @@ std::string source_of(const LeftOut& shape) { return source_text(shape.file_name
 
 RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
                             const RunContext& ctx) {
-  // Stray pieces may make it too large for a vertebra, but not so that another unit fits.
+  // Stray pieces may make the bounding box too large for a vertebra. The unit is refused only if another one
+  // would fit.
   const double diagonal = inspect_mesh(raw).box.diagonal();
   if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit, false);
   RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A model built of read shapes, with where they come from.
+/// A model and the origin of its shapes.
 
 #include <string>
 #include <vector>

@@ -36,7 +36,7 @@ class MetricRows {
   std::vector<Row> rows_;
 };
 
-// The rows of metrics.csv that are about shapes.
+// The values of shapes in metrics.csv.
 class ShapeFigures {
  public:
   explicit ShapeFigures(const std::filesystem::path& file) : file_(file.string()) {

@@ -17,14 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "mode01_minus2sd": two digits for the mode, the number of standard deviations without trailing zeros.
+// For example "mode01_minus2sd": the mode has two digits, the number of standard deviations no trailing
+// zeros.
 std::string mode_file(int mode, double sd) {
   char text[64];
   std::snprintf(text, sizeof text, "mode%02d_%s%gsd.ply", mode + 1, sd < 0 ? "minus" : "plus", std::abs(sd));
   return text;
 }
 
-/// The shapes of these scores, given in standard deviations.
+/// The shapes with these scores, which are in standard deviations.
 std::vector<Eigen::VectorXd> shapes_of(const ShapeModel& model, const Eigen::MatrixXd& scores) {
   std::vector<Eigen::VectorXd> shapes;
   shapes.reserve(scores.cols());

@@ -21,7 +21,8 @@ struct ModelRecord {
   std::vector<ErrorMap> error_maps;  ///< one per shape
 };
 
-/// Throws IoError if a file is missing or broken, or the files are not of one model.
+/// Reads the files. Throws IoError if a file is missing or broken, or if the files belong to different
+/// models.
 ModelRecord read_model_record(const std::filesystem::path& folder);
 
 /// The same of a build that is not read back. All numbers that a file holds in single precision have it here

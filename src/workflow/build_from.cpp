@@ -13,7 +13,7 @@ InputShape& input_named(std::vector<InputShape>& inputs, const std::string& name
   return *found;
 }
 
-// The shape's name where the shape is named by its file.
+// The name of the reference shape, which may be given as a file name.
 std::string stem_of_reference(const std::vector<InputShape>& inputs, const std::string& reference) {
   for (const InputShape& input : inputs)
     if (source_of(input) == reference) return input.stem;

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Another pose fits nearly as well: within this factor of the distance.
+// Another pose fits nearly as well if its distance is at most this factor times the smallest distance.
 constexpr double ambiguous_factor = 1.1;
 
 double mean_where(const std::vector<double>& values, const std::vector<bool>& seen, bool wanted) {

@@ -9,7 +9,7 @@
 namespace foramen {
 namespace {
 
-// A mesh in correspondence, in mm.
+// The measures of a corresponding mesh in mm.
 ShapeMeasures measured(const Measurer& measurer, const std::filesystem::path& file, LengthUnit unit) {
   TriangleSoup soup = read_mesh(file).soup;
   for (Vec3& p : soup.points) p *= millimetres_per(unit);

@@ -31,7 +31,7 @@ std::string line_of(const LabelSurface& label) {
   return text;
 }
 
-// One surface as it will be written.
+// One surface in the form in which it will be written.
 struct Finished {
   std::string stem;
   TriangleSoup surface;
@@ -76,7 +76,7 @@ struct ReadLabelMap {
   LabelSurfaces labels;
 };
 
-// All label maps; of one that cannot be read only the reason if there are others.
+// Reads all label maps. If there are several, one that cannot be read is replaced by the reason.
 std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunContext& ctx,
                                    ExtractSummary& summary) {
   std::vector<ReadLabelMap> all;

@@ -58,7 +58,7 @@ TEST(MeanRegistrar, FindsTheTrueLandmarksOfAMemberInAnyPose) {
   const std::vector<Vec3> found = registrar.landmarks_on(here, RunContext(1));
   ASSERT_EQ(found.size(), true_landmarks_of(1.25).size());
   EXPECT_LT(rms_distance(found, true_landmarks_of(1.25)), 0.3);
-  // The mean's own landmarks are farther from them.
+  // The landmarks of the mean itself are farther from the true ones.
   EXPECT_GT(rms_distance(true_landmarks_of(1), true_landmarks_of(1.25)), 0.8);
   const TriangleTree surface(here);
   for (const Vec3& p : found) EXPECT_LT(std::sqrt(surface.closest(p).squared_distance), 1e-9);
@@ -66,7 +66,8 @@ TEST(MeanRegistrar, FindsTheTrueLandmarksOfAMemberInAnyPose) {
             1e-6);
 }
 
-// Which basis of periods the mean's map is written in is nobody's choice: the loops that are found decide.
+// The loops that are found determine the basis of periods of the mean's map, so results must not depend on
+// this basis.
 TEST(MeanRegistrar, TheBasisOfTheMeansMapDoesNotMatter) {
   const TemplateSurface mean = mean_member();
   Eigen::Matrix2i b;

@@ -31,8 +31,8 @@ TEST(RemeshedTemplate, HasItsVerticesOnTheSurfaceWhereTheirTurnsAre) {
   }
 }
 
-// Points are linear in the strength, so that the mean of two members is the member between them, but for the
-// small rotation between members that alignment takes away.
+// Points are linear in the strength. Therefore, the mean of two members is the member between them, except
+// for the small rotation that alignment removes.
 TEST(MeanTemplate, OfTwoMembersIsTheMemberBetweenThem) {
   const testing::MappedSurface thin = testing::member_surface(0.9, 6000),
                                thick = testing::member_surface(1.1, 6000);

@@ -1,4 +1,4 @@
-// A group whose registration was cut off goes on where it was, to the same bits.
+// An interrupted registration of a group continues from its kept stages and gives the same bits.
 #include <set>
 
 #include <gmock/gmock.h>
@@ -143,7 +143,7 @@ TEST_F(ResumedGroup, OnlyWhatDependsOnAChangeIsComputedAnew) {
   register_group(shapes, reference, 0, ctx, options);
   ASSERT_EQ(keys_of(*store, "round").size(), 3u);
 
-  options.again.iterations = 1;  // decides the rounds with the mean alone
+  options.again.iterations = 1;  // affects only the rounds with the mean
   register_group(shapes, reference, 0, ctx, options);
   EXPECT_EQ(keys_of(*store, "working").size(), 3u);
   EXPECT_EQ(keys_of(*store, "register").size(), 3u);

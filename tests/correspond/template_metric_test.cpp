@@ -50,7 +50,7 @@ TEST(TemplateMetric, ToItselfTheIdentityHasNoDistortionButThatOfInterpolation) {
   const RunContext ctx(1);
   const OptimisedMap same = optimise_map(torus.mesh, torus.map, ctx, {.iteration_limit = 1}, nullptr, &at);
   EXPECT_NEAR(same.initial_energy, 4, 0.01);
-  // In the flat plane the same map is distorted.
+  // Measured in the flat plane, the same map is distorted.
   EXPECT_GT(optimise_map(torus.mesh, torus.map, ctx, {.iteration_limit = 1}).initial_energy, 4.2);
 }
 

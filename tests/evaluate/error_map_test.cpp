@@ -45,7 +45,7 @@ ClosestPoint closest_of_all(const Mesh& mesh, const Vec3& query) {
   return best;
 }
 
-// All triangles against all points.
+// The expected values are computed by comparing all triangles with all points.
 TEST(ErrorMap, IsTheLargestDistanceAroundEachLandmark) {
   const Pair pair = deformed_pair();
   const Mesh& mesh = pair.corresponding;

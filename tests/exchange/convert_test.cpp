@@ -27,10 +27,10 @@ using testing::offers;
 using testing::says;
 using testing::TemporaryFolder;
 
-// Coordinates are of single precision, a vertebra's size.
+// Coordinates have single precision and the size of a vertebra.
 constexpr double tolerance = 1e-4;
 
-// Five shapes of the size of vertebrae, in single precision as PLY has them, in folder/meshes.
+// Five shapes of the size of vertebrae in folder/meshes, in the single precision of PLY files.
 class Convert : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -65,7 +65,7 @@ class Convert : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// Through every format that holds the shapes' own coordinates, and back to the very same meshes.
+// Converting to each format that holds the shapes' own coordinates, and back, gives the same meshes.
 TEST_F(Convert, ShapesComeBackTheSame) {
   const ConvertRequest with_triangles{.input = {}, .output = {}, .triangles = meshes() / "L0.ply"};
   for (const char* name : {"a.tps", "a.csv", "study/a.swproj"}) {
@@ -86,7 +86,7 @@ TEST_F(Convert, ShapesMakeAModelThatHoldsThem) {
   const StatismoModel model = read_statismo(file("model.h5"));
   EXPECT_EQ(model.variance.size(), 4);
   EXPECT_EQ(model.shape_uris.front(), "L0");
-  // The training shapes of the model are the meshes up to a motion.
+  // The training shapes of the model are the meshes, except for a rigid motion.
   converted(file("model.h5"), file("aligned"));
   const CorrespondingFolder a = read_corresponding(meshes()), b = read_corresponding(file("aligned"));
   for (std::size_t i = 0; i < a.shapes.size(); ++i) {
@@ -113,7 +113,8 @@ TEST_F(Convert, ScoresAreThoseOfTheModel) {
   EXPECT_EQ(parse_number(table.rows.at(2).at(table.column("mode3"))), scores(2, 2));
 }
 
-// World particles are what the project's transforms make of local ones, all near each other.
+// The transforms of the project map local particles to world particles, in which all shapes are near each
+// other.
 TEST_F(Convert, ProjectOfShapeWorksHangsTogether) {
   converted(meshes(), file("a.swproj"));
   const auto subjects = read_shapeworks(file("a.swproj"));
@@ -182,7 +183,7 @@ TEST_F(Convert, WhatCannotBeIsRefused) {
   write_ply(file("full") / "old.ply", testing::torus_soup(5, 4));
   EXPECT_THAT(refusal(meshes(), file("full")), says("old.ply"));
   EXPECT_FALSE(fs::exists(file("full") / "L0.ply"));
-  // A name in a file must not lead out of the folder.
+  // A name in a file must not lead to a path outside the folder.
   std::ofstream(file("evil.tps")) << "LM3=1\n1 2 3\nID=../evil\n";
   EXPECT_THAT(refusal(file("evil.tps"), file("out.csv")), says("cannot be that of a file"));
 }

@@ -77,7 +77,7 @@ TEST(ReadLabelNames, FromCsv) {
   EXPECT_THAT(refusal([&] { read_label_names(folder.file("m.csv", "number,name\n3,L1\n")); }), says("label"));
 }
 
-// Boxes of one label each, side by side; the last reaches the border.
+// Boxes of one label each, beside each other. The last one reaches the border.
 class ExtractLabels : public ::testing::Test {
  protected:
   std::filesystem::path file(const std::vector<int>& labels) {

@@ -9,7 +9,7 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::StartsWith;
 
-// Figures are given for some numbers of modes only.
+// Measures are computed only for some numbers of modes.
 TEST(SummaryLines, CountTheModesOfTheModelNotTheNumbersOfModesMeasured) {
   constexpr int shapes = 200;
   RunRecord run{.reference = "a7", .landmarks_inserted = 3, .landmark_triangles = 8};

@@ -78,7 +78,7 @@ TEST(ReadCohort, OneBadFileIsLeftOutWithItsReason) {
   EXPECT_THAT(cohort.left_out[1].reason, AllOf(says("torn.ply"), offers({})));
 }
 
-// A torus with a thin bridge and a hole: neither is beyond repair.
+// A torus with a thin bridge and a hole, both of which can be repaired.
 TriangleSoup defective() {
   testing::TorusWithHandles torus(120, 60);
   torus.bridge(10, 20, 14);
@@ -107,7 +107,7 @@ TEST(ReadCohort, WhatTheAuditRefusesIsRepairedOnRequest) {
   EXPECT_EQ(report.changes.size(), 2u);
   EXPECT_EQ(report.removed_handles[0].kind, LoopKind::handle);
   EXPECT_EQ(report.canal.kind, LoopKind::tunnel);
-  // In the file's coordinates: nothing but the patches is new.
+  // The result has the coordinates of the file. Only the patches are new.
   const TriangleSoup raw = read_mesh(folder.file("mendable.ply")).soup;
   std::size_t kept = 0;
   for (const Vec3& p : cohort.shapes[1].mesh.positions())

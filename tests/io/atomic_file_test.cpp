@@ -61,7 +61,7 @@ TEST(RemoveLeftovers, TakesWhatAKilledWriterLeftAndNothingElse) {
   const TemporaryFolder folder;
   folder.file("kept.json", "whole");
   folder.file(".hidden", "the user's");
-  // The temporary as a writer that is killed leaves it, in a folder of its own.
+  // The temporary file that a killed writer leaves, copied to a folder of its own.
   write_file_with(folder.file("model.h5"), [&](const std::filesystem::path& temporary) {
     std::ofstream(temporary) << "half";
     std::filesystem::create_directory(folder.file("later"));

@@ -110,7 +110,8 @@ TEST(IndexedPoints, FindWhatSearchingAllFinds) {
 }
 
 TEST(NearestVertices, StayOnTheirSideOfAThinWall) {
-  // Moved by more than a wall's thickness, each vertex still finds itself and not the wall's other side.
+  // The surface is moved by more than the thickness of the wall. Each vertex must still find itself and not
+  // the other side of the wall.
   const Mesh wall = build_mesh(testing::walled_torus_soup(120, 60, 1, 0.4, 0.3));
   RigidTransform shift = RigidTransform::Identity();
   shift.translation() = Vec3(0.3, 0.3, 0.9);

@@ -13,7 +13,7 @@ const RunContext ctx(1);
 
 RigidTransform turn(double angle) { return RigidTransform(Eigen::AngleAxisd(angle, Vec3::UnitZ())); }
 
-// A surface's samples among its vertices: at the identity they fit.
+// The samples are vertices of the surface itself, so the identity fits exactly.
 class RigidDescent : public ::testing::Test {
  protected:
   const Mesh mesh = build_mesh(testing::lopsided_torus_soup(60, 30));

@@ -69,8 +69,8 @@ std::set<std::array<double, 9>> face_keys(const Mesh& mesh) {
   return keys;
 }
 
-// Every triangle that is not as it was lies within this distance of a handle that was removed; what is kept
-// is kept to the bit and in order.
+// Expects that every changed triangle is within this distance of a removed handle, and that all other
+// vertices are the same, to the bit and in the same order.
 void expect_changed_only_near(const Mesh& before, const HandleRemoval& after, double distance_mm) {
   VertexId last;
   for (VertexId v : after.mesh.vertices()) {
@@ -110,7 +110,8 @@ TEST(FindHandles, ABridgeIsGivenByItsGirthAndItsArch) {
   ASSERT_EQ(found.extra.size(), 1u);
   const Handle& bridge = found.extra[0];
   EXPECT_EQ(bridge.kind, LoopKind::handle);
-  // Round a quad of 1.05 by .84 mm; along half circles of 9 mm across, and back on the torus.
+  // The loop round the bridge is a quad of 1.05 by 0.84 mm. The loop along it is a half circle of 9 mm
+  // diameter and returns on the torus.
   EXPECT_NEAR(bridge.length_mm, 2 * (0.9 + 0.84), 0.4);
   EXPECT_NEAR(bridge.across_mm, std::numbers::pi / 2 * 9 + 9, 3);
   EXPECT_EQ(found.canal.kind, LoopKind::tunnel);
@@ -232,7 +233,7 @@ TEST(RemoveHandles, AHoleNoLargerThanNoiseIsNoCanal) {
 
 TEST(RemoveHandles, AThinBridgeThatMayCloseTheCanalIsNotCut) {
   TorusWithHandles torus(120, 60);
-  for (Vec3& p : torus.soup.points) {  // the hole in the middle narrowed to 12 mm across
+  for (Vec3& p : torus.soup.points) {  // the hole in the middle is narrowed to a diameter of 12 mm
     const double radius = p.head<2>().norm();
     p.head<2>() *= (radius - 10) / radius;
   }

@@ -83,7 +83,7 @@ TEST(InspectMesh, RenumberingChangesNothing) {
   }
 }
 
-// Break one thing: one count changes as it must, and one obstacle is named.
+// A surface with one defect, the count that must change, and the obstacle that must be named.
 struct Broken {
   std::string name;
   TriangleSoup soup;
@@ -187,7 +187,7 @@ TEST(InspectMesh, AStrayVertexDoesNotStretchTheBox) {
   EXPECT_EQ(r.degenerate_triangles, 0);
 }
 
-// No obstacle means exactly: the mesh can be built, and it is one closed surface of genus 1.
+// There is no obstacle if and only if the mesh can be built and is one closed surface of genus 1.
 TEST(InspectMesh, AgreesWithBuildMeshOnAnySoup) {
   const double values[] = {nan, std::numeric_limits<double>::infinity(), 1e308, -1e308, 0, 1e-308};
   Rng rng(17);

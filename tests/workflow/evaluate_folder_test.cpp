@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// A cohort as files: corresponding meshes in meshes/, the surfaces they were made from in surfaces/.
+// A cohort as files: corresponding meshes in meshes/, and the original surfaces in surfaces/.
 class EvaluateFolder : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -1,4 +1,4 @@
-// Label maps among the inputs of a build, and extract's files.
+// Label maps as inputs of a build, and the files of extract.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 
-// Label 20 a torus, 21 a ball, 22 a torus cut off by the map's upper border.
+// Label 20 is a torus, 21 a ball, and 22 a torus that the upper border of the map cuts off.
 LabelMap three_labels() {
   const auto label_at = [](const Vec3& p) {
     if (bumpy_torus(p + Vec3(46, 0, 0)) < 0) return 20;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Surfaces in good files that no model can be made of, and what the error must say of them.
+/// Surfaces that cannot be used for a model, and the text that the error must contain.
 
 #include <array>
 #include <cmath>
@@ -17,14 +17,14 @@
 
 namespace foramen::testing {
 
-/// A shape file with one thing wrong.
+/// A shape file with one defect.
 struct BadShape {
   std::string file_name, bytes, message;
 };
 
 inline void PrintTo(const BadShape& shape, std::ostream* out) { *out << shape.file_name; }
 
-/// Text that reads back as the same numbers, by a format that can hold any.
+/// The soup as OFF, a format that can hold any soup. Reading the text gives the same numbers.
 inline std::string off_text(const TriangleSoup& soup) {
   std::string text =
       "OFF\n" + std::to_string(soup.points.size()) + " " + std::to_string(soup.triangles.size()) + " 0\n";
@@ -88,7 +88,7 @@ inline TriangleSoup plate(int holes) {
   return soup;
 }
 
-/// Closed, but one-sided: a torus glued to itself the wrong way round.
+/// A closed surface that is not orientable: a torus glued to itself with the wrong orientation.
 inline TriangleSoup klein_bottle() {
   constexpr int tube = 10;
   TriangleSoup soup = ring();
@@ -134,7 +134,7 @@ inline TriangleSoup octahedron() {
   return soup;
 }
 
-/// What one change makes of the ring.
+/// The ring after one change.
 template <class Change>
 TriangleSoup changed_ring(const Change& change) {
   TriangleSoup soup = ring();
@@ -232,7 +232,7 @@ inline std::vector<std::pair<std::string, std::pair<TriangleSoup, std::string>>>
   };
 }
 
-/// Files that break their own format, and good files of unusable surfaces.
+/// Files that violate their format, and valid files of unusable surfaces.
 inline std::vector<BadShape> bad_shapes() {
   std::vector<BadShape> all;
   for (const auto& file : malformed::all_files())
