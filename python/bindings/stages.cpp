@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "core/option_bytes.hpp"
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/stages/build_model.hpp"

@@ -9,13 +9,13 @@
 #include <utility>
 
 #include "core/freed_memory.hpp"
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
 #include "correspond/register_group.hpp"
 #include "correspond/register_shape.hpp"
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/stage_store.hpp"
 #include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "match/robust_weight.hpp"

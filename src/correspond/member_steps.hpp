@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "core/kept_results.hpp"
 #include "correspond/register_group.hpp"
 #include "correspond/register_shape.hpp"
 #include "correspond/template_metric.hpp"
-#include "foramen/core/stage_store.hpp"
 #include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "foramen/match/bending_options.hpp"

@@ -2,7 +2,7 @@
 /// \file
 /// Private to evaluate: errors as bytes, for the store.
 
-#include "foramen/core/byte_archive.hpp"
+#include "core/byte_archive.hpp"
 #include "foramen/evaluate/cohort.hpp"
 
 namespace foramen {

@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
 #include "evaluate/closest_shape.hpp"
 #include "evaluate/error_archive.hpp"
 #include "evaluate/measured_surface.hpp"
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/stage_store.hpp"
 
 namespace foramen {
 namespace {

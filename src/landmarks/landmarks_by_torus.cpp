@@ -3,10 +3,10 @@
 #include <memory>
 #include <utility>
 
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/stage_store.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
 #include "foramen/sampling/sampling_options.hpp"
 #include "foramen/spatial/surface_distance.hpp"

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "foramen/core/byte_archive.hpp"
+#include "core/byte_archive.hpp"
 #include "foramen/model/build_shape_model.hpp"
 
 namespace foramen {

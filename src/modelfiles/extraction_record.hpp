@@ -8,8 +8,8 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "extract/extract_labels.hpp"
-#include "foramen/core/maybe_const.hpp"
 #include "foramen/core/options.hpp"
+#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 

@@ -25,10 +25,10 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
-#include "foramen/core/byte_archive.hpp"
+#include "core/byte_archive.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/maybe_const.hpp"
 #include "foramen/core/options.hpp"
+#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 

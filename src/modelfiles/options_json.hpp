@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/byte_archive.hpp"
 #include "foramen/core/options.hpp"
 
 namespace foramen {

@@ -2,7 +2,7 @@
 /// \file
 /// Landmarks that are chosen, as bytes (byte_archive.hpp), to be kept.
 
-#include "foramen/core/byte_archive.hpp"
+#include "core/byte_archive.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/refine_landmarks.hpp"
 

@@ -4,9 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/stage_store.hpp"
 #include "model/model_archive.hpp"
 #include "stages/refit_archive.hpp"
 

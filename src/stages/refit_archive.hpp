@@ -2,7 +2,7 @@
 /// \file
 /// Private to stages: the reason why a shape failed in a refit as bytes, for the store.
 
-#include "foramen/core/byte_archive.hpp"
+#include "core/byte_archive.hpp"
 #include "foramen/stages/refit.hpp"
 
 namespace foramen {

@@ -34,7 +34,7 @@ struct BuildSummary {
   std::vector<LeftOut> left_out;
   std::vector<Message> notes;  ///< what the user should know though it is no error
   std::string text;            ///< a few lines for a terminal
-  std::string json;                ///< the same information as one JSON object
+  std::string json;            ///< the same information as one JSON object
 };
 
 /// Runs the build and writes every file of the model's folder, each whole or not at all. Finished stages are

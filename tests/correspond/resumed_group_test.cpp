@@ -123,7 +123,7 @@ TEST_F(ResumedGroup, WhatIsMadeTogetherIsNamedByThoseThatHadAPartInIt) {
 
   options.round_limit = 1;
   const GroupRegistration group = register_group(shapes, reference, 0, ctx, options);
-  EXPECT_THAT(group.members[2].failure, ::testing::HasSubstr("no positive area"));
+  EXPECT_THAT(group.members[2].failure.text, ::testing::HasSubstr("no positive area"));
   const auto of_the_others = std::make_shared<MemoryStore>();
   const GroupRegistration others =
       register_group({shapes[0], shapes[1]}, reference, 0, RunContext(1).with_store(of_the_others), options);

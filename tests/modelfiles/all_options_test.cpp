@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/option_bytes.hpp"
 #include "foramen/apply/complete_surface.hpp"
 #include "foramen/core/options.hpp"
 #include "foramen/correspond/group_options.hpp"

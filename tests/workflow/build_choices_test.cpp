@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/option_bytes.hpp"
 #include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/register_options.hpp"
 #include "foramen/parameterize/optimiser.hpp"

@@ -18,6 +18,7 @@
 /// described struct, or a vector of described structs. A test counts the fields of every described struct, so
 /// that describe() cannot leave one out.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,9 +26,8 @@
 #include <utility>
 #include <vector>
 
-#include "foramen/core/byte_archive.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/maybe_const.hpp"
+#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 
@@ -127,43 +127,9 @@ void for_each_option(Options& options, const Use& use, const std::string& prefix
 std::string name_with_unit(std::string_view name, std::string_view unit);
 
 namespace detail {
-template <class Field>
-void add_option_bytes(ByteWriter& writer, const Field& field);
-
-template <class Options>
-void add_options_bytes(ByteWriter& writer, const Options& options) {
-  for_each_option(options, [&](const std::string& path, const auto& field, const OptionText&) {
-    writer(path);
-    add_option_bytes(writer, field);
-  });
-}
-
-template <class Field>
-void add_option_bytes(ByteWriter& writer, const Field& field) {
-  if constexpr (is_vector<Field>) {
-    writer(std::ssize(field));
-    for (const auto& item : field)
-      if constexpr (DescribedOptions<const typename Field::value_type>)
-        add_options_bytes(writer, item);
-      else
-        writer(item);
-  } else {
-    writer(field);
-  }
-}
-
 /// Throws InvalidInput unless the number is in the range.
 void check_option(std::string_view where, std::string_view name, double value, const OptionText& text);
 }  // namespace detail
-
-/// Names and values of all options as bytes, for keys of stored results. Two structs of one type have the
-/// same bytes if and only if all their options are bitwise equal.
-template <DescribedOptions Options>
-std::string option_bytes(const Options& options) {
-  ByteWriter writer;
-  detail::add_options_bytes(writer, options);
-  return writer.take();
-}
 
 /// Throws InvalidInput for the first number out of its range; the message names the option, its value and its
 /// range.

@@ -26,8 +26,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/ids.hpp"
-#include "foramen/core/maybe_const.hpp"
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 
@@ -151,17 +151,9 @@ void transfer(Archive& archive, MaybeConst<std::string> auto& text) {
 
 namespace detail {
 template <class T>
-inline constexpr bool is_vector = false;
-template <class T>
-inline constexpr bool is_vector<std::vector<T>> = true;
-template <class T>
 inline constexpr bool is_array = false;
 template <class T, std::size_t n>
 inline constexpr bool is_array<std::array<T, n>> = true;
-template <class T>
-inline constexpr bool is_optional = false;
-template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
 template <class T>
 inline constexpr bool is_id_map = false;
 template <class I, class T>

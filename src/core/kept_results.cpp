@@ -1,4 +1,4 @@
-#include "foramen/core/stage_store.hpp"
+#include "core/kept_results.hpp"
 
 #include "foramen/core/error.hpp"
 
