@@ -210,8 +210,7 @@ std::string manual_page(const CLI::App& program) {
          "line was not understood\n.TP\n.B 3\nan optimisation did not converge\n.TP\n.B 130\nstopped by "
          "Ctrl\\-C\n"
          ".SH SEE ALSO\nBecker, Kirschner, Fuhrmann, Wesarg: Automatic Construction of Statistical Shape "
-         "Models for "
-         "Vertebrae. MICCAI 2011.\n";
+         "Models for Vertebrae. MICCAI 2011.\n";
 }
 
 }  // namespace

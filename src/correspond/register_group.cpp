@@ -321,8 +321,7 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
   if (options.description_rounds > 0)
     throw InvalidInput(
         "a shape cannot be registered to a group that was made with description_rounds > 0: their targets "
-        "are "
-        "those of the group's own shapes");
+        "are those of the group's own shapes");
   require_genus_one(shape);
   const RunContext single = ctx.with_threads(1);
   const MemberSteps steps(reference, single, options);

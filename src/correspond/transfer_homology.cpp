@@ -112,8 +112,7 @@ void require_reference_homology(const Mesh& mesh, const TorusMap& map, const Vec
   if (det == 1 && seifert_test(inverse_unimodular(periods), seifert, reference_seifert)) return;
   throw TopologyError(
       "the finished map winds round the torus otherwise than the reference's (Seifert test of loops found "
-      "anew "
-      "failed): the shape is probably misaligned or of another anatomy");
+      "anew failed): the shape is probably misaligned or of another anatomy");
 }
 
 Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference,

@@ -15,8 +15,7 @@ constexpr Paper erickson{
 // \cite brett2000
 constexpr Paper brett{
     "A. D. Brett, C. J. Taylor: Construction of 3D Shape Models of Femoral Articular Cartilage Using "
-    "Harmonic "
-    "Maps. MICCAI 2000",
+    "Harmonic Maps. MICCAI 2000",
     "the baseline: landmarks carried to closest points"};
 // \cite fuhrmann2010
 constexpr Paper fuhrmann{

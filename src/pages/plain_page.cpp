@@ -39,8 +39,7 @@ std::string plain_page(const ModelRecord& record, const PageContents& contents, 
        .paragraphs =
            {"Distances are measured to the input surfaces (repaired where it says so). Bars are standard "
             "errors of the mean. Specificity alone rewards a model that lost variance: read it beside the "
-            "total "
-            "variance and the representation error."},
+            "total variance and the representation error."},
        .charts = contents.charts});
   if (!contents.differences.empty())
     page.sections.push_back({.title = "This model minus the baseline",

@@ -88,8 +88,7 @@ class DirectionFinder {
     if (auto d = direction(state, 0)) return *d;
     throw ConvergenceError(
         "the Hessian of the distortion is not positive definite to working precision: some triangle is next "
-        "to "
-        "degenerate; repair the mesh");
+        "to degenerate; repair the mesh");
   }
 
  private:

@@ -93,8 +93,7 @@ HandleRemoval remove_handles(const Mesh& mesh, const RemoveHandlesOptions& optio
   if (genus(mesh) == 0)
     throw TopologyError(
         "genus 0: no hole passes through the surface, so the vertebral canal is closed or the arch is open; "
-        "neither is "
-        "a defect that can be mended without knowing where the canal was: mend the segmentation");
+        "neither is a defect that can be mended without knowing where the canal was: mend the segmentation");
   if (genus(mesh) > 1) require_noise(mesh, options, ctx);
 
   EditedMesh now = unchanged(mesh);

@@ -163,8 +163,7 @@ Obstacle genus_obstacle(int genus) {
   if (genus == 0)
     return {"no hole passes through the surface (genus 0), but a vertebra has one, the vertebral canal",
             "look at the canal in the segmentation: reopen it if it is filled or capped, and close the arch "
-            "behind it if "
-            "the arch is broken or cut off"};
+            "behind it if the arch is broken or cut off"};
   return {"genus " + std::to_string(genus) + ": " + std::to_string(genus) +
               " holes pass through the surface where only the vertebral canal should",
           "if this is a cervical vertebra with open foramina transversaria, its kind is not supported; "
