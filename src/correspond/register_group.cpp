@@ -302,7 +302,7 @@ class GroupRegistrar {
   const RegisterGroupOptions& options_;
   MemberSteps steps_;
   std::vector<Member> members_;
-  CohortPriors priors_;      // priors priors of the present round; without Bending::cohort the smooth process
+  CohortPriors priors_;      // the priors of the present round; without Bending::cohort the smooth process
   bool are_placed_ = false;  // whether the members have the vertices of the present mean
   GroupRegistration result_;
 };
