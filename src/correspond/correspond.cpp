@@ -26,6 +26,14 @@ namespace {
 // The search for the loops of a reference takes seconds at this size and grows faster than its power 3/2.
 constexpr int large_reference_vertices = 100000;
 
+// A reference with a smaller share of the median number of vertices has too few for its loops to be carried to
+// the others reliably.
+constexpr double coarse_reference_share = 0.25;
+
+// Another reference is tried if more than one in so many shapes cannot be registered.
+constexpr std::size_t shapes_per_lost_one = 20;
+constexpr int most_references = 3;
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -50,28 +58,27 @@ std::vector<int> reference_candidates(std::span<const Shape> shapes, const std::
 struct MappedReference {
   int shape = 0;
   Reference reference;
-  std::vector<FailedShape> refused;
 };
 
-// The first candidate that can be mapped. A valid surface may be too rough for a map, and this must not make
-// the whole cohort fail.
-MappedReference map_first_reference(std::span<const Shape> shapes, const CorrespondOptions& options,
-                                    const RunContext& ctx) {
-  MappedReference found;
-  for (const int candidate : reference_candidates(shapes, options.reference)) {
+// Maps the first of the candidates that can be mapped and removes it and those before it from the list. A valid
+// surface may be too rough for a map, and this must not make the whole cohort fail.
+MappedReference map_next_reference(std::span<const Shape> shapes, std::vector<int>& candidates,
+                                   std::vector<FailedShape>& refused, const CorrespondOptions& options,
+                                   const RunContext& ctx) {
+  while (!candidates.empty()) {
+    const int candidate = candidates.front();
+    candidates.erase(candidates.begin());
     const Shape& shape = shapes[candidate];
     try {
       RegisterOptions how = options.registration;
       how.neighbours = {};  // they do not affect the reference
-      found.reference = kept<Reference>(ctx, StageKey(ctx, "reference", shape.mesh, how),
-                                        [&] { return map_reference(shape.mesh, ctx, how); });
-      found.shape = candidate;
-      return found;
+      return {candidate, kept<Reference>(ctx, StageKey(ctx, "reference", shape.mesh, how),
+                                         [&] { return map_reference(shape.mesh, ctx, how); })};
     } catch (const ConvergenceError& e) {
-      found.refused.push_back({shape.name, message_of(e)});
+      refused.push_back({shape.name, message_of(e)});
     }
   }
-  const FailedShape& last = found.refused.back();
+  const FailedShape& last = refused.back();
   throw ConvergenceError(last.reason.about(last.name + " cannot be the reference"));
 }
 
@@ -135,6 +142,53 @@ GroupRegistration register_all(std::span<const Shape> shapes, const MappedRefere
   return register_group(meshes, mapped.reference, mapped.shape, ctx, options.group);
 }
 
+struct RegisteredCohort {
+  MappedReference mapped;
+  GroupRegistration group;
+  double reference_seconds = 0;
+  std::size_t lost = 0;  // shapes that could not be registered; all of them if the reference is one
+};
+
+RegisteredCohort registered_with_next(std::span<const Shape> shapes, std::vector<int>& candidates,
+                                      std::vector<FailedShape>& refused, const CorrespondOptions& options,
+                                      const RunContext& ctx) {
+  const auto start = std::chrono::steady_clock::now();
+  RegisteredCohort cohort;
+  cohort.mapped = map_next_reference(shapes, candidates, refused, options, ctx);
+  return_freed_memory();
+  cohort.reference_seconds = seconds_since(start);
+  cohort.group = register_all(shapes, cohort.mapped, options, ctx);
+  const auto is_lost = [](const GroupMember& member) { return !member.registered; };
+  cohort.lost = std::count_if(cohort.group.members.begin(), cohort.group.members.end(), is_lost);
+  if (is_lost(cohort.group.members[cohort.mapped.shape])) cohort.lost = shapes.size();
+  return cohort;
+}
+
+// Registers the shapes with the first reference by which few are lost, or with the one of those tried by which
+// the fewest are.
+RegisteredCohort register_with_best_reference(std::span<const Shape> shapes, const CorrespondOptions& options,
+                                              std::vector<FailedShape>& refused, const RunContext& ctx) {
+  std::vector<int> candidates = reference_candidates(shapes, options.reference);
+  RegisteredCohort best = registered_with_next(shapes, candidates, refused, options, ctx);
+  for (int tried = 1; tried < most_references && best.lost * shapes_per_lost_one > shapes.size(); ++tried) {
+    RegisteredCohort other;
+    std::vector<FailedShape> refused_now;
+    if (candidates.empty()) break;
+    try {
+      other = registered_with_next(shapes, candidates, refused_now, options, ctx);
+    } catch (const ConvergenceError&) {
+      break;  // none of the other shapes can be the reference
+    }
+    if (other.lost >= best.lost) continue;
+    refused.push_back({shapes[best.mapped.shape].name,
+                       Message(std::to_string(best.lost) + " of " + std::to_string(shapes.size()) +
+                               " shapes could not be registered with it")});
+    refused.insert(refused.end(), refused_now.begin(), refused_now.end());
+    best = std::move(other);
+  }
+  return best;
+}
+
 ShapeRegistration registration_of(const std::string& name, const RegisteredShape& shape, bool mapped,
                                   double seconds) {
   const ShapeMap& map = shape.shape_map;
@@ -159,19 +213,22 @@ bool registered_together(const CorrespondOptions& options) {
 }
 
 std::vector<int> rank_references(std::span<const Shape> shapes) {
-  std::vector<double> areas, volumes;
+  std::vector<double> areas, volumes, vertices;
   for (const Shape& shape : shapes) {
     areas.push_back(std::log(total_area(shape.mesh)));
     volumes.push_back(std::log(signed_volume(shape.mesh)));
+    vertices.push_back(shape.mesh.vertex_count());
   }
   const double area = upper_median(areas), volume = upper_median(volumes);
-  std::vector<std::tuple<bool, double, int>> deviations;
+  const double few = coarse_reference_share * upper_median(vertices);
+  std::vector<std::tuple<bool, bool, double, int>> deviations;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     deviations.emplace_back(shapes[i].mesh.vertex_count() > large_reference_vertices,
+                            shapes[i].mesh.vertex_count() < few,
                             std::abs(areas[i] - area) + std::abs(volumes[i] - volume), static_cast<int>(i));
   std::sort(deviations.begin(), deviations.end());
   std::vector<int> order;
-  for (const auto& [large, deviation, shape] : deviations) order.push_back(shape);
+  for (const auto& [large, coarse, deviation, shape] : deviations) order.push_back(shape);
   return order;
 }
 
@@ -180,11 +237,8 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
   check_options("correspond", options);
   require_enough(shapes.size(), {});
   ctx.step("reference", 0);
-  const auto start = std::chrono::steady_clock::now();
-  MappedReference mapped = map_first_reference(shapes, options, ctx);
-  return_freed_memory();
-  const double reference_seconds = seconds_since(start);
-  GroupRegistration group = register_all(shapes, mapped, options, ctx);
+  std::vector<FailedShape> refused;
+  auto [mapped, group, reference_seconds, lost] = register_with_best_reference(shapes, options, refused, ctx);
   const Message& reference_failure = group.members[mapped.shape].failure;
   if (!reference_failure.text.empty())
     throw ConvergenceError("the reference " + shapes[mapped.shape].name +
@@ -196,7 +250,7 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
   CohortRegistration& cohort = result.registration;
   cohort.method = options.method;
   cohort.reference_seconds = reference_seconds;
-  cohort.refused_references = std::move(mapped.refused);
+  cohort.refused_references = std::move(refused);
   cohort.frame.reference = std::move(mapped.reference);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     GroupMember& member = group.members[i];

@@ -1,5 +1,7 @@
 #include "correspond/transfer_homology.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "correspond/vertex_path.hpp"
@@ -12,13 +14,29 @@
 namespace foramen {
 namespace {
 
-EdgeLoop transfer_loop(const Mesh& shape, const IndexedPoints& vertices, VertexPaths& paths,
-                       const ReferenceLoops& reference, const VertexMap<Vec3>& reference_normals,
-                       const EdgeLoop& loop) {
-  std::vector<VertexId> stations;
+// Points along the loop with normals, from each vertex on, that are no further apart than the spacing [mm]. A
+// path between the places of two vertices alone may return on the side from which it came if the edge is long.
+std::vector<OrientedPoint> points_along(const Mesh& mesh, const VertexMap<Vec3>& normals,
+                                        const EdgeLoop& loop, double spacing) {
+  std::vector<OrientedPoint> points;
   for (HalfedgeId h : loop) {
-    const VertexId v = reference.mesh.from(h);
-    const VertexId moved(vertices.nearest({reference.mesh.position(v), reference_normals[v]}).index);
+    const VertexId from = mesh.from(h), to = mesh.to(h);
+    const Vec3 edge = mesh.position(to) - mesh.position(from);
+    const int pieces = std::max(1, static_cast<int>(std::ceil(edge.norm() / spacing)));
+    for (int k = 0; k < pieces; ++k) {
+      const double t = static_cast<double>(k) / pieces;
+      const Vec3 normal = (1 - t) * normals[from] + t * normals[to];
+      points.push_back({mesh.position(from) + t * edge, normal.stableNormalized()});
+    }
+  }
+  return points;
+}
+
+EdgeLoop transfer_loop(const Mesh& shape, const IndexedPoints& vertices, VertexPaths& paths,
+                       const std::vector<OrientedPoint>& points) {
+  std::vector<VertexId> stations;
+  for (const OrientedPoint& point : points) {
+    const VertexId moved(vertices.nearest(point).index);
     if (stations.empty() || stations.back() != moved) stations.push_back(moved);
   }
   EdgeLoop closed;
@@ -72,11 +90,14 @@ HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& for
   const IndexedPoints vertices(oriented_vertices(aligned_shape), vertebra_normal_weight_mm);
   const auto lengths = edge_lengths(aligned_shape);
   VertexPaths paths(aligned_shape, lengths);
+  double spacing = 0;  // the mean length of the shape's edges
+  for (const double length : lengths) spacing += length / lengths.size();
   HomologyTransfer transfer;
   for (int k = 0; k < 2; ++k) {
     const EdgeLoop& loop = reference.loops.loops[k];
     auto& moved = transfer.transferred[k];
-    moved = transfer_loop(aligned_shape, vertices, paths, reference, reference_normals, loop);
+    moved = transfer_loop(aligned_shape, vertices, paths,
+                          points_along(reference.mesh, reference_normals, loop, spacing));
     transfer.a.col(k) = integrate(form, moved);
   }
   const int det = transfer.a(0, 0) * transfer.a(1, 1) - transfer.a(0, 1) * transfer.a(1, 0);

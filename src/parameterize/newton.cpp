@@ -1,6 +1,7 @@
 #include "parameterize/newton.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -24,6 +25,8 @@ constexpr double least_step = 1e-12;  ///< the line search gives up below this s
 
 /// Share of negative eigenvalues that is kept if the true Hessian is not positive definite.
 constexpr double partly_kept = 0.7;
+/// Shifts of the diagonal, relative to its own entries, that are tried if rounding spoils the clamped Hessian.
+constexpr std::array<double, 4> diagonal_shifts = {1e-10, 1e-8, 1e-6, 1e-4};
 /// Factor of the tolerance for steps by a Hessian other than the true one.
 constexpr double clamped_margin = 0.1;
 /// The iteration is near its end after a full step with a predicted decrease below this share of the energy.
@@ -86,14 +89,20 @@ class DirectionFinder {
       for (const double kept : {1.0, partly_kept})
         if (auto d = direction(state, kept)) return *d;
     if (auto d = direction(state, 0)) return *d;
+    // The sum of clamped Hessians is positive definite but for rounding, which a triangle next to degenerate
+    // makes large. A shift of the diagonal gives a shorter step that decreases the energy as well.
+    for (const double shift : diagonal_shifts)
+      if (auto d = direction(state, 0, shift)) return *d;
     throw ConvergenceError(
-        "the Hessian of the distortion is not positive definite to working precision: some triangle is next "
-        "to degenerate; repair the mesh");
+        "the Hessian of the distortion is not positive definite to working precision, because a triangle of "
+        "the map is next to degenerate");
   }
 
  private:
-  std::optional<Direction> direction(const MapState& state, double kept) {
+  std::optional<Direction> direction(const MapState& state, double kept, double shift = 0) {
     system_.assemble(state, kept);
+    if (shift > 0)
+      for (Mat2& block : system_.hessian.diagonal) block += shift * block.trace() * Mat2::Identity();
     std::optional<Direction> d = newton_direction(system_, cholesky_, free_lattice_);
     if (d) d->kept = kept;
     return d;

@@ -109,6 +109,30 @@ TEST(RankReferences, BeginsWithTheShapeOfMedianSize) {
   EXPECT_THAT(rank_references(shapes), ElementsAre(2, 3, 1, 0, 4));
 }
 
+// A shape that is lost with every reference does not decide which one is taken.
+TEST(Correspond, AShapeThatNoReferenceSuitsLeavesTheFirstReference) {
+  std::vector<Shape> shapes = family();
+  const std::vector<int> order = rank_references(shapes);
+  Shape& ragged = shapes[order.back()];
+  ragged.mesh = build_mesh(with_needle(ragged.mesh.soup()));
+  CorrespondOptions options;
+  options.group.working_vertices = 1500;
+  options.group.round_limit = 0;
+  const CohortRegistration found = correspond(shapes, options, RunContext(2)).registration;
+  ASSERT_EQ(found.failed.size(), 1u);
+  EXPECT_EQ(found.failed[0].name, ragged.name);
+  EXPECT_EQ(found.shapes[found.reference].name, shapes[order.front()].name);
+  EXPECT_TRUE(found.refused_references.empty());
+}
+
+TEST(RankReferences, PutsCoarseShapesBehindTheOthers) {
+  const Shape fine{"fine", build_mesh(testing::torus_soup(40, 24))},
+      larger{"larger", build_mesh(testing::torus_soup(40, 24, 21, 9))},
+      coarse{"coarse", build_mesh(testing::torus_soup(16, 10, 20.4, 8.4))};
+  const std::vector<Shape> shapes{coarse, larger, fine, coarse, fine};
+  EXPECT_THAT(rank_references(shapes), ElementsAre(2, 4, 1, 0, 3));
+}
+
 TEST(RankReferences, EndsWithVeryLargeShapes) {
   const Shape ordinary{"ordinary", build_mesh(testing::torus_soup(16, 10))},
       large{"large", build_mesh(testing::torus_soup(400, 260))};

@@ -1,5 +1,8 @@
 #include "correspond/transfer_homology.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "correspond/propagate_loops.hpp"
@@ -51,6 +54,30 @@ TEST(TransferHomology, OntoItselfIsTheIdentity) {
   const auto transfer =
       transfer_homology(reference.mesh, cocycle(reference.mesh, reference.loops), reference);
   EXPECT_EQ(transfer.a, Eigen::Matrix2i::Identity());
+}
+
+// A torus whose tube has four vertices on one half and one long edge on the other.
+TriangleSoup half_resolved_torus_soup() {
+  TriangleSoup soup;
+  constexpr int around = 24, tube = 4;
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < tube; ++j) {
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / 8;
+      const double r = 20 + 8 * std::cos(v);
+      soup.points.emplace_back(r * std::cos(u), r * std::sin(u), 8 * std::sin(v));
+    }
+  soup.triangles = testing::torus_soup(around, tube).triangles;
+  return soup;
+}
+
+// The shortest path between the ends of a long edge of a loop may run on the other side of the shape.
+TEST(TransferHomology, FollowsTheLongEdgesOfACoarseReference) {
+  const ReferenceLoops reference =
+      find_reference_loops(build_mesh(half_resolved_torus_soup()), RunContext(1));
+  const Mesh shape = build_mesh(bumpy_torus_soup(60, 40, 5));
+  const LoopSystem loops = oriented(shape, greedy_loops(shape, VertexId(0), edge_lengths(shape)));
+  const Eigen::Matrix2i a = transfer_homology(shape, cocycle(shape, loops), reference).a;
+  EXPECT_EQ(std::abs(a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0)), 1);
 }
 
 TEST(TransferHomology, RenamedPeriodsAreTheReferences) {

@@ -6,6 +6,7 @@
 
 #include "foramen/apply/project_shape.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
 #include "support/real_meshes.hpp"
 #include "support/temporary_folder.hpp"
 #include "workflow/read_family.hpp"
@@ -62,7 +63,8 @@ RigidTransform some_pose() {
 }
 
 // A training shape that is projected as a new surface in another pose gets its own landmarks, except that
-// they may slide on a torus without features.
+// they may slide a little on a torus without features: how far depends on rounding, so the bound is a quarter
+// of the distance between landmarks.
 TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
   const UsableModel model = read_usable_model(folder().path());
   const MeanRegistrar registrar = registrar_of(model, RunContext(1));
@@ -71,7 +73,8 @@ TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
     const std::vector<Vec3>& landmarks = build().built.landmarks.points[k];
     const std::vector<Vec3> found =
         registrar.landmarks_on(transformed(shape.mesh, some_pose()), RunContext(1));
-    EXPECT_LT(rms(found, transformed(landmarks, some_pose())), 0.5) << shape.stem;
+    const double spacing = std::sqrt(total_area(shape.mesh) / static_cast<double>(landmarks.size()));
+    EXPECT_LT(rms(found, transformed(landmarks, some_pose())), 0.25 * spacing) << shape.stem;
     const ProjectedShape own = project_shape(landmarks, model.aligned, model.scale),
                          again = project_shape(found, model.aligned, model.scale);
     EXPECT_LT(score_distance(model, own.scores[0], again.scores[0]), 0.2) << shape.stem;

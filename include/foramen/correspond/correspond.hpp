@@ -87,7 +87,7 @@ struct CohortRegistration {
   Method method = Method::torus;
   std::vector<ShapeRegistration> shapes;  ///< in the order in which the shapes were given
   std::vector<FailedShape> failed;        ///< the same
-  /// Shapes that rank before the reference but could not be mapped.
+  /// Shapes that rank before the reference but could not be mapped, or by which more shapes were lost.
   std::vector<FailedShape> refused_references;
   int reference = 0;  ///< index into `shapes`
   RegistrationFrame frame;
@@ -117,7 +117,9 @@ inline constexpr int fewest_shapes = 3;
 ///
 /// The reference is mapped first; all shapes use its loops and its lattice. Then the shapes are registered
 /// with each other (register_group()), or each with the reference (register_shape()), or, with Method::icp,
-/// only aligned to the reference (align()).
+/// only aligned to the reference (align()). If more than 5 % of the shapes cannot be registered and the
+/// reference was chosen automatically, up to two further references are tried, and the one by which the fewest
+/// shapes are lost is taken.
 ///
 /// Throws TooFewShapes if fewer than 3 shapes are given or remain, InvalidInput if the named reference is not
 /// among them, ConvergenceError if no shape can be the reference.
@@ -125,8 +127,10 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
                           const RunContext& ctx);
 
 /// Ranks the shapes (indices) from the most average one on: by the sum of the absolute deviations of log area
-/// and log volume from the medians of the cohort. Ties keep the order of the shapes. Shapes of more than
-/// 100 000 vertices come last, because the search for their loops takes minutes.
+/// and log volume from the medians of the cohort. Ties keep the order of the shapes. Shapes with less than a
+/// quarter of the median number of vertices come after the others, because loops with few vertices are not
+/// carried to other shapes reliably. Shapes of more than 100 000 vertices come last, because the search for their
+/// loops takes minutes.
 std::vector<int> rank_references(std::span<const Shape> shapes);
 
 }  // namespace foramen

@@ -13,8 +13,9 @@
 namespace foramen {
 
 /// Registers surfaces to the mean of a model, which replaces both the reference and the template. The
-/// shortest loops of the mean are found, and its torus map is expressed in their basis. One registrar serves
-/// any number of surfaces; const calls may run in parallel.
+/// shortest loops of the mean are found, and its torus map is expressed in their basis. A mean of fewer than
+/// 1000 landmarks is subdivided for this. One registrar serves any number of surfaces; const calls may run in
+/// parallel.
 class MeanRegistrar {
  public:
   /// \param mean  the mean with its landmarks as vertices, and its map to the torus
