@@ -1,4 +1,4 @@
-"""How the files of two output folders differ: points by how far they moved, numbers by name, HDF5 by dataset."""
+"""Differences between the files of two output folders: distances of points, numbers by name, HDF5 by dataset."""
 import csv
 import json
 from dataclasses import dataclass, field
@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 import h5py
 import numpy as np
 
-# The seconds that a run took stand in these.
+# These files contain the times of a run.
 TIMED = {"run.json", "report.html"}
-# Differences to tell of each HDF5 file.
+# The number of differences that are printed for each HDF5 file.
 MOST_NOTES = 8
 
 
@@ -31,7 +31,8 @@ class Surface:
 
 
 def read_ply(path):
-    """A surface as foramen and the real data have it: little endian, the vertices first, all properties float."""
+    """Reads a surface in the form of foramen's files and of the real data: little endian, vertices first, all
+    properties float."""
     content = path.read_bytes()
     header, _, body = content.partition(b"end_header\n")
     lines = [line.split() for line in header.decode().splitlines()]
@@ -46,8 +47,8 @@ def read_ply(path):
 
 
 def flattened(value, path=""):
-    """Every number and text of a JSON value by its path; an element of an array goes by its name or its number of modes
-    if it has one."""
+    """Every number and text of a JSON value by its path. The path names an element of an array by its name or number of
+    modes if it has one."""
     if isinstance(value, dict):
         return {k: v for key, item in value.items() for k, v in flattened(item, f"{path}/{key}").items()}
     if isinstance(value, list):
@@ -60,7 +61,8 @@ def flattened(value, path=""):
 
 
 def csv_numbers(path):
-    """Of a table with the column `value` those by the other cells of their rows; of another all by row and column."""
+    """The numbers of a table. With a column `value`, these are its values by the other cells of their rows; otherwise
+    all numbers by row and column."""
     with open(path, newline="") as file:
         header, *rows = csv.reader(file)
     if "value" in header:
@@ -90,7 +92,7 @@ def h5_contents(path):
 
 
 def array_difference(old, new, versions):
-    """How a dataset differs, in words; none if only the version of foramen in its text does."""
+    """The difference of a dataset as text; None if only the version of foramen in it differs."""
     if old is None or new is None:
         return f"is only in {'new' if old is None else 'old'}"
     if old.shape != new.shape or old.dtype.kind != new.dtype.kind:
@@ -110,7 +112,7 @@ class Change:
     name: str
     old: object
     new: object
-    relative: float  # infinite: there on one side only, or a text
+    relative: float  # infinite if it exists on one side only, or is a text
 
 
 def is_number(value):
@@ -118,7 +120,7 @@ def is_number(value):
 
 
 def changes(file, old, new):
-    """What differs of two dictionaries, the largest relative difference first."""
+    """The differences of two dictionaries, with the largest relative difference first."""
     found = []
     for name in dict.fromkeys([*old, *new]):
         a, b = old.get(name, "absent"), new.get(name, "absent")
@@ -130,7 +132,7 @@ def changes(file, old, new):
 
 
 def closest_on_triangles(points, surface, candidates=12):
-    """Of every point the closest triangle, among those whose centroids are nearest, and the barycentric coordinates of
+    """For every point, the closest triangle among those with the nearest centroids, and the barycentric coordinates of
     the closest point in it."""
     triangles = surface.corners()
     centroids = surface.points[triangles].mean(axis=1)
@@ -140,7 +142,7 @@ def closest_on_triangles(points, surface, candidates=12):
         near = np.argpartition(squares, candidates, axis=1)[:, :candidates]
         a, b, c = np.moveaxis(surface.points[triangles[near]], 2, 0)
         p = block[:, None]
-        # Inside, by areas, and on each edge.
+        # The closest point inside the triangle, by areas, and that on each edge.
         normal = np.cross(b - a, c - a)
         area = (normal ** 2).sum(axis=-1)
         v = (np.cross(p - a, c - a) * normal).sum(axis=-1) / area
@@ -162,9 +164,9 @@ def closest_on_triangles(points, surface, candidates=12):
 
 
 def carried(old, new):
-    """How two correspondences with different landmarks differ, in words. The new points of the first shape are carried
-    to the others by the old triangles, and their distances from the new points there are measured. Triangles stand for
-    curved surfaces, so that some hundredths of a millimetre mean nothing."""
+    """The difference of two correspondences with different landmarks, as text. The new points of the first shape are
+    carried to the others by the old triangles, and their distances from the new points there are measured. Triangles
+    approximate curved surfaces, so some hundredths of a millimetre are not significant."""
     names = sorted({path.name for path in old.glob("*.ply")} & {path.name for path in new.glob("*.ply")})
     if len(names) < 2:
         return "no two shapes to carry points between"
@@ -179,7 +181,8 @@ def carried(old, new):
 
 @dataclass
 class Comparison:
-    """How the outputs of one job differ. A group is a file at the top of a folder, or a folder there with its files."""
+    """The differences between the outputs of one job. A group is a file at the top level of a folder, or a folder there
+    with its files."""
     counts: dict = field(default_factory=dict)        # group: number of files
     differing: list = field(default_factory=list)     # files that differ
     version_only: list = field(default_factory=list)  # HDF5 files that differ in the version of foramen alone
@@ -189,7 +192,7 @@ class Comparison:
     numbers: dict = field(default_factory=dict)       # file: (how many numbers it has, changes)
 
     def listed(self, names):
-        """Names of files in short: those of a folder by their number."""
+        """A short list of file names. Files of one folder are replaced by their number."""
         numbers = {}
         for name in names:
             numbers[group_of(name)] = numbers.get(group_of(name), 0) + 1
@@ -211,7 +214,7 @@ class Comparison:
                 self.notes.append(f"{name}: {scalar} differs by {largest:.3g} at most")
 
     def compare_h5(self, name, old, new, versions):
-        """False: nothing differs but the version in texts."""
+        """Returns False if only the version in texts differs."""
         a, b = h5_contents(old), h5_contents(new)
         found = [f"{name}: {key} {text}" for key in dict.fromkeys([*a, *b])
                  if (text := array_difference(a.get(key), b.get(key), versions))]
@@ -235,7 +238,7 @@ class Comparison:
 
 
 def compare(old, new, versions):
-    """Compares the files of two folders, but for those that hold seconds."""
+    """Compares the files of two folders, except those that contain times."""
     found = Comparison()
     files = [{str(path.relative_to(side)) for path in side.rglob("*") if path.is_file()} for side in (old, new)]
     for name in sorted(files[0] | files[1]):

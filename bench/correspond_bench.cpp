@@ -1,4 +1,5 @@
-// Rigid alignment and the ICP baseline on real vertebrae of two subjects, or on tori where there are none.
+// Rigid alignment and the ICP baseline on real vertebrae of two subjects, or on tori if there is no real
+// data.
 
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
-// Every measure on tori in correspondence, one thread, by vertices of the input surfaces (4 shapes) and by
-// shapes (10 000 vertices each); 4000 landmarks, samples as in a build.
+// Every measure on corresponding tori with 4000 landmarks and the samples of a build, on one thread: by
+// number of vertices of the input surfaces (for 4 shapes), and by number of shapes (of 10 000 vertices each).
 
 #include <benchmark/benchmark.h>
 
@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::int64_t usual_vertices = 10000, fewest_shapes = 4;
 constexpr int landmarks = 4000;
-constexpr int draws = 20;  // a fiftieth of a build's
+constexpr int draws = 20;  // a fiftieth of the number in a build
 
 struct Quads {
   int around, tube;
 };
 
-// Twice as many about the axis as about the tube.
+// A torus with twice as many quads about the axis as about the tube.
 Quads torus_of(std::int64_t vertices) {
   const int tube = static_cast<int>(std::lround(std::sqrt(static_cast<double>(vertices) / 2)));
   return {2 * tube, tube};

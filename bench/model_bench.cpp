@@ -1,4 +1,5 @@
-// Alignment and model of corresponding tori, by landmarks and by shapes. One thread: neither has more.
+// Alignment and PCA of corresponding tori, by number of landmarks and by number of shapes. Both run on one
+// thread.
 
 #include <benchmark/benchmark.h>
 
@@ -44,7 +45,7 @@ void model_by_pca(benchmark::State& state) {
 }
 BENCHMARK(model_by_pca)->Apply(landmarks_and_shapes);
 
-// All that --weights area adds to and changes in a model.
+// A model with landmark weights, including the computation of the weights.
 void weighted_model(benchmark::State& state) {
   const CorrespondingCohort made = cohort(state);
   for (auto _ : state) {

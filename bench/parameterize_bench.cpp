@@ -1,4 +1,4 @@
-// Time of the maps of a bumpy torus, by number of vertices. One thread.
+// The time of torus maps of a bumpy torus, by number of vertices, on one thread.
 
 #include <benchmark/benchmark.h>
 
@@ -17,7 +17,7 @@ using testing::MappedTorus;
 
 const RunContext one_thread(1);
 
-// About this many vertices, twice as many round the axis as round the tube.
+// The size of a grid of about this number of vertices, with twice as many round the axis as round the tube.
 struct GridSize {
   int around, tube;
   explicit GridSize(std::int64_t vertices)
@@ -55,7 +55,7 @@ void Newton(benchmark::State& state, const OptimiseMapOptions& options) {
   state.counters["energy"] = out.final_energy;
 }
 
-// To a share above the energy at which Newton ends, by either method.
+// The time of either method until its energy is within this share above the energy at which Newton ends.
 void ToShareAbove(benchmark::State& state, Optimiser method, double share) {
   const MappedTorus& t = torus(state.range(0));
   OptimiseMapOptions options;

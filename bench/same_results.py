@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""What same_results.sh needs beside a shell: cuts a part out of a surface, and reports how the outputs of two programs
-and what they took differ."""
+"""Parts of same_results.sh that are not shell code: cuts a part out of a surface, and reports the differences between
+the outputs of two programs and between their time and memory."""
 import argparse
 import csv
 import json
@@ -11,13 +11,13 @@ import numpy as np
 
 from compare_results import FACE, compare, group_of, left_out, read_ply
 
-# Files and folders of a model whose bytes must be the same. Of what other commands write every file must be.
+# Files and folders of a model whose bytes must be the same. Of other commands, all files must be the same.
 JUDGED_OF_MODEL = {"model.h5", "mean.ply", "corresponding", "scores.csv", "metrics.csv"}
 
 
 def cut(source, target):
-    """Writes the front of a vertebra without its posterior elements: what lies behind (larger y) the middle of its
-    extent is removed, and what stays is an open surface."""
+    """Writes the front of a vertebra without its posterior elements, as an open surface. Everything behind the middle
+    of its extent (larger y) is removed."""
     surface = read_ply(source)
     corners = surface.corners()
     y = surface.points[:, 1]
@@ -32,19 +32,19 @@ def cut(source, target):
 
 
 def least(figures):
-    """The least CPU seconds and peak memory of several runs, and an exit code that is not 0 if any run had one."""
+    """The smallest CPU time and peak memory of several runs, and an exit code other than 0 if any run had one."""
     runs = [json.loads(line) for line in figures.read_text().splitlines()]
     return {"exit": max((run["exit"] for run in runs), key=abs), "cpu_s": min(run["cpu_s"] for run in runs),
             "peak_mb": min(run["peak_mb"] for run in runs)}
 
 
 class Report:
-    """Prints what was found and collects why the two sides are not accepted as the same."""
+    """Prints the differences, and collects the reasons for which the two sides are not accepted as the same."""
 
     def __init__(self, options):
         self.options = options
-        self.results = []  # what differs more than it may
-        self.costs = []    # what grew more than it may
+        self.results = []  # results that differ more than allowed
+        self.costs = []    # costs that grew more than allowed
         self.details = []
         self.compared = 0
 
@@ -78,7 +78,7 @@ class Report:
         return [name for name in names if group_of(name) in JUDGED_OF_MODEL or "model.h5" not in found.counts]
 
     def lost(self, found):
-        """Why points of judged files cannot be compared, in words."""
+        """The reasons for which points of the checked files cannot be compared, as text."""
         judged = {why: self.judged(found, names) for why, names in found.lost.items()}
         return [f"{why}: {found.listed(names)}" for why, names in judged.items() if names]
 
@@ -136,7 +136,7 @@ class Report:
             self.row(f"{c.file} {c.name}", str(c.old), str(c.new), f"{c.relative:.2g}" if c.relative < np.inf else "")
 
     def verdict(self):
-        """Prints the details and, last, why the two sides are not accepted; the exit code."""
+        """Prints the details and then the reasons for which the two sides are not accepted. Returns the exit code."""
         for detail in self.details:
             self.detail(*detail)
         print()

@@ -73,7 +73,7 @@ compiled() {
     { tail -n 40 "$log" >&2; exit 1; }
 }
 
-# program_of REVISION: prints the path of its program, which is built first if it is not there.
+# program_of REVISION: prints the path of the revision's program, which is built first if it does not exist.
 program_of() {
   local tree=$root commit
   if [ "$1" = worktree ]; then
@@ -98,11 +98,12 @@ else
   trap 'rm -rf "$work"' EXIT
 fi
 
-# Inputs that a program makes are kept for the next comparison with the same OLD.
+# Inputs made by a program are kept for the next comparison with the same OLD.
 inputs=$root/build/same_results/inputs/$(sha256sum "$old" | cut -c 1-12)
 mkdir -p "$inputs"
 
-# input NAME ARGUMENT...: what OLD makes with these arguments, a folder of the inputs that appears whole or not at all.
+# input NAME ARGUMENT...: makes a folder of inputs by running OLD with these arguments. The folder appears whole or not
+# at all.
 input() {
   local folder=$inputs/$1
   shift
@@ -112,9 +113,10 @@ input() {
   mv "$folder.part" "$folder"
 }
 
-# prepare JOB: makes its inputs and sets `arguments`, what the program is told; fails, saying why, without its data.
+# prepare JOB: makes the inputs of the job and sets `arguments`, the arguments of the program. Fails with the reason if
+# the data is missing.
 prepare() {
-  # After ;;& the patterns further down are tried, too.
+  # After ;;& the following patterns are tried as well.
   local lumbar=("$data"/lumbar/*_L[123].ply)
   case "$1" in
     lumbar)
@@ -131,7 +133,7 @@ prepare() {
     project|complete)
       input model build "$inputs/cohort/shapes" --samples 2
       input other synth -n 1 --seed 102
-      # Under a name that no shape of the model has: its own is left out of a model by `project`.
+      # The copy has a name that no shape of the model has, because `project` leaves out a shape with the same name.
       cp "$inputs/other/shapes/synth001.ply" "$inputs/stranger.ply" || exit 1
       arguments=("$1" "$inputs/model" "$inputs/stranger.ply") ;;&
     complete)

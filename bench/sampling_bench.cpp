@@ -37,7 +37,7 @@ void BM_curvature_density(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(curvature_density(m.mesh));
 }
 
-/// 4000 landmarks from ever denser surfaces.
+/// Placing 4000 landmarks on surfaces of increasing density.
 void BM_remesh(benchmark::State& state) {
   const auto m = testing::wavy_torus(points(state));
   const auto density = curvature_density(m.mesh);
@@ -45,7 +45,7 @@ void BM_remesh(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(remesh(m.mesh, m.map, density, ctx));
 }
 
-/// One look at all landmarks of four shapes, which is what refinement costs where nothing is wrong.
+/// One check of all landmarks of four shapes. Refinement takes this time if there is no defect.
 void BM_refine_landmarks(benchmark::State& state) {
   const auto m = testing::wavy_torus(points(state));
   const RunContext ctx(1);

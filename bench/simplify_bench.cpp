@@ -8,7 +8,8 @@
 namespace foramen {
 namespace {
 
-// Down to a fifth, as a working mesh of 10 000 vertices is to the largest vertebrae.
+// Simplification to a fifth of the vertices, as for a working mesh of 10 000 vertices of the largest
+// vertebrae.
 void simplify_to_a_fifth(benchmark::State& state) {
   const int tube = static_cast<int>(std::lround(std::sqrt(static_cast<double>(state.range(0)) / 2)));
   const Mesh mesh = build_mesh(testing::bumpy_torus_soup(2 * tube, tube, 1));

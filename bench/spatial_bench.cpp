@@ -1,5 +1,5 @@
-// Queries of the spatial module on a real vertebra (42 556 triangles), or a torus of that size where there is
-// none.
+// Queries of the spatial module on a real vertebra (42 556 triangles), or on a torus of that size if there is
+// no real data.
 
 #include <benchmark/benchmark.h>
 

@@ -5,7 +5,7 @@
 namespace foramen {
 namespace {
 
-// One shape on one thread, by its number of vertices.
+// The time to make one shape on one thread, by its number of vertices.
 void synth_one_shape(benchmark::State& state) {
   SynthOptions options;
   options.shapes = 1;

@@ -1,5 +1,5 @@
-// Growth of the loop searches with the number of vertices: tori of revolution with noise, 2 500 to 50 000
-// vertices.
+// The time of the searches for loops by number of vertices, on tori of revolution with noise of 2500 to 50
+// 000 vertices.
 
 #include <benchmark/benchmark.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int threads = 2;
 
-// Twice as many quads about the axis as about the tube.
+// A torus with noise and twice as many quads about the axis as about the tube.
 Mesh bumpy_torus(std::int64_t vertices) {
   const int tube = static_cast<int>(std::lround(std::sqrt(static_cast<double>(vertices) / 2)));
   return build_mesh(testing::bumpy_torus_soup(static_cast<int>(vertices / tube), tube, 1));
@@ -56,7 +56,7 @@ void shortest_loops_double_torus(benchmark::State& state) {
   search(state, bumpy_double_torus(state.range(0)));
 }
 
-// The oracle itself, as far as it is bearable.
+// The exhaustive search, on meshes that are small enough for it.
 void exhaustive_search(benchmark::State& state) {
   const Mesh mesh = bumpy_torus(state.range(0));
   const auto lengths = edge_lengths(mesh);

@@ -1,5 +1,5 @@
-# find_package(libmd) defines the target libmd::libmd. libmd comes with no package file for CMake of its own; installed foramen
-# brings this one along.
+# find_package(libmd) defines the target libmd::libmd. libmd has no package file for CMake, so this file is installed
+# with foramen.
 find_path(LIBMD_INCLUDE_DIR sha2.h)
 find_library(LIBMD_LIBRARY md)
 mark_as_advanced(LIBMD_INCLUDE_DIR LIBMD_LIBRARY)

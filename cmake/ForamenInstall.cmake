@@ -1,4 +1,4 @@
-# install and export, so that find_package(foramen COMPONENTS model) works.
+# Installs and exports the library, so that find_package(foramen COMPONENTS model) works.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
@@ -11,7 +11,7 @@ install(FILES ${PROJECT_BINARY_DIR}/foramenConfig.cmake ${PROJECT_BINARY_DIR}/fo
               ${PROJECT_SOURCE_DIR}/cmake/Findlibmd.cmake
         DESTINATION ${package_dir})
 install(FILES ${PROJECT_SOURCE_DIR}/include/foramen/foramen.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/foramen)
-# One export set a module, so that a consumer of `model` need not have what `io` links.
+# One export set per module, so that a consumer of `model` does not need the libraries of `io`.
 foreach(module IN LISTS modules)
   install(EXPORT foramen-${module} NAMESPACE foramen:: FILE foramen-${module}.cmake DESTINATION ${package_dir})
 endforeach()

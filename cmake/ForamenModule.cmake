@@ -1,11 +1,11 @@
 # foramen_add_module(NAME [INTERNAL] [DEPENDS module...] [LINK target...] [LINK_PRIVATE target...] [PACKAGES package...]
 #                    [WHOLE_SUITES suite...])
 #
-# One library foramen_NAME (alias foramen::NAME) from src/NAME, and one test program NAME_tests from tests/NAME/*_test.cpp.
-# The library and its headers for users (include/foramen/NAME) are installed as a component of the package, unless the module
-# is INTERNAL: then only the program and the Python module use it. PACKAGES are what a consumer of the installed module must
-# find beside Eigen, TBB and threads. Tests whose name contains RealData need the real shapes; all
-# others carry the label quick, which the sanitizer legs run. WHOLE_SUITES: see foramen_discover_tests.
+# One library foramen_NAME (alias foramen::NAME) from src/NAME, and one test program NAME_tests from
+# tests/NAME/*_test.cpp. The library and its headers for users (include/foramen/NAME) are installed as a component of
+# the package, unless the module is INTERNAL: then only the program and the Python module use it. PACKAGES are what a
+# consumer of the installed module must find beside Eigen, TBB and threads. Tests whose name contains RealData need the
+# real shapes; all others carry the label quick, which the sanitizer legs run. WHOLE_SUITES: see foramen_discover_tests.
 function(foramen_add_module name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "INTERNAL" "" "DEPENDS;LINK;LINK_PRIVATE;PACKAGES;WHOLE_SUITES")
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -36,7 +36,7 @@ function(foramen_add_module name)
     install(FILES ${depends_file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/foramen)
   endif()
 
-  # Those whose headers cost most and whose names do not clash.
+  # The modules whose headers take longest to compile and whose names do not clash.
   set(together parameterize evaluate apply modelfiles workflow)
   file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(FORAMEN_BUILD_TESTS AND tests)
@@ -61,13 +61,14 @@ function(foramen_add_module name)
   endif()
 endfunction()
 
-# Tests are compiled more often than they are waited for; what they test is optimised all the same.
+# Compiling tests takes longer than running them, so they are compiled with little optimisation. The code under test is
+# optimised as usual.
 function(foramen_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# foramen_precompile(TARGET HEADERS): compile TARGET with cmake/precompiled/HEADERS.hpp parsed once; the first target that asks
-# parses it for all, so they must be compiled with the same options.
+# foramen_precompile(TARGET HEADERS): compile TARGET with cmake/precompiled/HEADERS.hpp parsed once; the first target
+# that asks parses it for all, so they must be compiled with the same options.
 function(foramen_precompile target headers)
   get_property(owner GLOBAL PROPERTY FORAMEN_PRECOMPILED_${headers})
   if(owner)
@@ -78,16 +79,16 @@ function(foramen_precompile target headers)
   endif()
 endfunction()
 
-# foramen_compile_together(TARGET): sources for which headers cost most, several at a time. Their names must then differ
-# within anonymous namespaces too.
+# foramen_compile_together(TARGET): compiles several sources at a time, for targets whose headers take longest. Names in
+# anonymous namespaces must then differ between these sources.
 function(foramen_compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${FORAMEN_UNITY} UNITY_BUILD_BATCH_SIZE 6)
 endfunction()
 
 # foramen_discover_tests(PROGRAM PREFIX prefix LABEL label [ONLY pattern] [WITHOUT pattern] [WHOLE suite...])
 #
-# A ctest for each of the program's tests; one for all of a WHOLE suite, whose set-up would otherwise be made for every test.
-# Those carry the label suite and start first, so that none is still running when all others are done.
+# Makes one ctest for each of the program's tests, and a single one for all tests of a WHOLE suite, whose set-up would
+# otherwise run once per test. These carry the label suite and start first, because they take longest.
 function(foramen_discover_tests program)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX;LABEL;ONLY;WITHOUT" "WHOLE")
   set(without ${arg_WITHOUT})

@@ -1,5 +1,5 @@
-# The interactive page of reports: viewer/ is built by npm into one html file, which is compiled into foramen_report. Without
-# npm an empty page is compiled in, and reports are plain pages; they say so.
+# The interactive page of reports: viewer/ is built by npm into one html file, which is compiled into foramen_report.
+# Without npm an empty page is compiled in, and reports are plain pages.
 option(FORAMEN_VIEWER "Build the interactive page of reports, where npm is found" ON)
 find_program(NPM_PROGRAM npm)
 

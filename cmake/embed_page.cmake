@@ -1,6 +1,6 @@
 # cmake -D PAGE=index.html -D OUTPUT=viewer_template.cpp -P embed_page.cmake
 #
-# A page as a C++ string.
+# Writes a page as a C++ string.
 file(READ ${PAGE} template_text)
 if(template_text MATCHES "\\)foramen_page\"")
   message(FATAL_ERROR "${PAGE}: holds the text that ends the C++ string")

@@ -1,6 +1,6 @@
 # cmake -D NPM=npm -D STAMP=file -P install_viewer_packages.cmake, in viewer/
 #
-# The packages of viewer/package-lock.json, neither more nor others.
+# Installs exactly the packages in viewer/package-lock.json.
 execute_process(COMMAND ${NPM} ci --loglevel=error RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
 if(code)
   message(FATAL_ERROR "npm cannot install the packages of viewer/:\n${output}\n"

@@ -1,4 +1,5 @@
-// Any bytes, read as each file that other tools exchange with us: refused with one of our errors, or sound.
+// Reads any bytes as each kind of file that is exchanged with other tools. The bytes must be refused with one
+// of our errors, or the result must be valid.
 #include "foramen/core/error.hpp"
 #include "fuzz_input.hpp"
 #include "io/hdf5_json_file.hpp"
@@ -17,7 +18,7 @@ void read_or_refuse(const Read& read) {
   }
 }
 
-// What a reader of models asks for.
+// Reads everything that a reader of models reads.
 void read_tree(const std::filesystem::path& path) {
   const H5JsonReader file(path);
   for (const std::string& name : file.children("")) {

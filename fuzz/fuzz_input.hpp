@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the fuzz targets share.
+/// Declarations that the fuzz targets share.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 
 namespace foramen::fuzzing {
 
-/// Bytes as a file, for libraries that open one by its path. In memory.
+/// A file in memory with these bytes, for libraries that open a file by its path.
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("fuzzed", MFD_CLOEXEC)) {
@@ -34,5 +34,5 @@ class MemoryFile {
 
 }  // namespace foramen::fuzzing
 
-/// Called with every input; must return without a crash, a hang, or an exception.
+/// The fuzzer calls this function with every input. It must return without a crash, a hang, or an exception.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

@@ -1,5 +1,5 @@
-// Any bytes, read as a label map of every format; the surface of a label of a small one. (Without its
-// distances, which would take most of the time.)
+// Reads any bytes as a label map of each format. If the map is small, the surface of a label is extracted,
+// without its distances, which would take most of the time.
 #include <cstdlib>
 
 #include "extract/binary_volume.hpp"

@@ -1,5 +1,5 @@
-// Writes what the fuzzers begin with: make_corpus FOLDER. Small files of every kind, good ones and broken
-// ones.
+// make_corpus FOLDER writes the inputs with which the fuzzers begin: small files of every kind, valid and
+// broken.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

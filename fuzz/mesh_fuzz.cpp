@@ -1,5 +1,5 @@
-// Any bytes, read as a mesh of every format, inspected, and built: refused with one of our errors, or a sound
-// mesh.
+// Reads any bytes as a mesh of each format, inspects the mesh and builds it. The bytes must be refused with
+// one of our errors, or the mesh must be valid.
 #include <cstdlib>
 
 #include "foramen/core/error.hpp"

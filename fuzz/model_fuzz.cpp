@@ -1,4 +1,5 @@
-// Any bytes, read as each file of a model: refused with one of our errors, or sound.
+// Reads any bytes as each file of a model. The bytes must be refused with one of our errors, or the result
+// must be valid.
 #include "foramen/core/error.hpp"
 #include "foramen/io/statismo_file.hpp"
 #include "fuzz_input.hpp"

@@ -1,4 +1,5 @@
-// Any small soup of triangles, repaired: refused with one of our errors, or one closed surface of genus 1.
+// Repairs any small soup of triangles. The soup must be refused with one of our errors, or the result must be
+// one closed surface of genus 1.
 #include <cstdlib>
 
 #include "foramen/core/error.hpp"

@@ -1,4 +1,4 @@
-// Runs a fuzz target on files, without a fuzzer: what was once found stays mended.
+// Runs a fuzz target on files without a fuzzer, so that inputs that once failed are tested again.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>

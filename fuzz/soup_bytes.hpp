@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Small triangle soups as bytes, so that most bytes are a soup.
+/// An encoding of small triangle soups in which most sequences of bytes are a soup.
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,8 @@ namespace foramen::fuzzing {
 
 inline constexpr double soup_step_mm = 1.0 / 16;
 
-/// The number of points, one byte; each coordinate in steps, two bytes; each corner, one byte.
+/// Encodes a soup: the number of points in one byte, each coordinate as a number of steps in two bytes, each
+/// corner in one byte.
 inline std::string soup_bytes(const TriangleSoup& soup) {
   std::string bytes(1, static_cast<char>(soup.points.size()));
   for (const Vec3& p : soup.points)
@@ -29,7 +30,7 @@ inline std::string soup_bytes(const TriangleSoup& soup) {
   return bytes;
 }
 
-/// The way back from any bytes. Corners need not exist.
+/// Decodes any bytes. Corners may be indices of points that do not exist.
 inline TriangleSoup soup_from(std::string_view bytes) {
   TriangleSoup soup;
   const auto byte = [&](std::size_t i) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What each part of the correspondence brings: the same sets of shapes built with parts left out or replaced, a Markdown
-# table a set.
+# Measures what each part of the correspondence contributes: builds the same sets of shapes with parts left out or
+# replaced, and prints a Markdown table for each set.
 set -euo pipefail
 export LC_ALL=C  # a point in numbers
 
@@ -58,7 +58,7 @@ for folder in "${cohorts[@]}"; do
   fi
 done
 
-# options_of VARIANT: what `foramen build` is told.
+# options_of VARIANT: prints the options of `foramen build` for the variant.
 options_of() {
   case "$1" in
     icp) echo "--method icp" ;;
@@ -78,8 +78,8 @@ for variant in $variants; do options_of "$variant" >/dev/null; done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# flattened FILE: a line for every number of a JSON file as foramen writes it, its path and its value; an element of an
-# array goes by its number of modes.
+# flattened FILE: prints a line with path and value for every number of a JSON file that foramen wrote. The path names
+# an element of an array by its number of modes.
 flattened() {
   awk '
     { value = $0; gsub(/^ +|,$/, "", value); key = "" }
@@ -91,20 +91,21 @@ flattened() {
     { text = ""; for (i = 2; i <= depth; ++i) text = text path[i] "/"; print text key, value }' "$1"
 }
 
-# number FLATTENED PATH [FORMAT]: - if it is not there.
+# number FLATTENED PATH [FORMAT]: prints the number, or - if it does not exist.
 number() {
   awk -v path="$2" -v format="${3:-%.3f}" '
     $1 == path { printf format, $2; found = 1; exit }
     END { if (!found) printf "-" }' "$1"
 }
 
-# quoted_modes FLATTENED: 8, or the most there are below.
+# quoted_modes FLATTENED: prints 8, or the largest number of modes below 8 if there is no 8.
 quoted_modes() {
   awk '$1 ~ /^generalization\/by_modes\/[0-9]+\/modes$/ && $2 <= 8 { modes = $2 }
        END { print modes }' "$1"
 }
 
-# build_variant SET VARIANT OPTION...: leaves SET.VARIANT, the flattened run.json and metrics.json.
+# build_variant SET VARIANT OPTION...: builds the variant and writes SET.VARIANT, the flattened run.json and
+# metrics.json.
 build_variant() {
   local set=$1 variant=$2 model="$work/model"
   shift 2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# How the stages of a build grow with the number of shapes and with the number of vertices: synthetic cohorts of one
-# seed, built and evaluated, wall seconds as run.json records them.
+# Measures how the time of each stage of a build grows with the number of shapes and with the number of vertices.
+# Synthetic cohorts of one seed are built and evaluated; the wall times are those in run.json.
 set -euo pipefail
 export LC_ALL=C  # a point in numbers
 
@@ -40,7 +40,7 @@ done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# build_cohort SHAPES VERTICES: leaves SHAPESxVERTICES.json, the record of the build.
+# build_cohort SHAPES VERTICES: writes SHAPESxVERTICES.json, the record of the build.
 build_cohort() {
   local name="$1x$2"
   echo "building a cohort of $1 shapes of $2 vertices" >&2
@@ -51,7 +51,8 @@ build_cohort() {
   rm -rf "${work:?}/$name"
 }
 
-# seconds_of FILE STAGE: from the object seconds_by_stage; `all` is the whole run, reading and writing too.
+# seconds_of FILE STAGE: prints the seconds in the object seconds_by_stage. `all` is the whole run, including reading
+# and writing.
 seconds_of() {
   awk -v stage="\"$2\":" '
     /"seconds_by_stage"/ { inside = 1 }
@@ -61,7 +62,7 @@ seconds_of() {
     END { exit !found }' "$1"
 }
 
-# table TITLE NAME...: stages by cohorts, whose names are SHAPESxVERTICES.
+# table TITLE NAME...: prints a table of stages by cohorts, whose names are SHAPESxVERTICES.
 table() {
   local title=$1 name stage
   shift

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Completion of real vertebrae whose posterior elements are removed, by models that have not seen their subject: a Markdown
-# table, with the average over shapes for every method.
+# Completes real vertebrae whose posterior elements are removed, by models without shapes of their subject. Prints a
+# Markdown table, with the average over shapes for every method.
 set -euo pipefail
 export LC_ALL=C  # a point in numbers
 

@@ -1,5 +1,6 @@
-// How well a model completes vertebrae that it has not seen and whose posterior elements are removed: a
-// Markdown row a shape and method. studies/completion.sh makes the models and runs this.
+// Measures how well a model completes vertebrae that are not in the model and whose posterior elements are
+// removed. Prints a Markdown row per shape and method. studies/completion.sh makes the models and runs this
+// program.
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ struct Study {
   bool whole = false, leave_out = false;
 };
 
-// Where the canal is: the middle of the shortest loop round it.
+// The centre of the canal: the middle of the shortest loop round it.
 Vec3 canal_centre(const Mesh& mesh) {
   const RunContext ctx;
   const EdgeMap<double> lengths = edge_lengths(mesh);
@@ -49,7 +50,8 @@ Vec3 canal_centre(const Mesh& mesh) {
   return sum / static_cast<double>(loop.size());
 }
 
-// The cut: what has a corner behind the canal's centre (larger y, which is posterior in LPS) is removed.
+// A surface without the triangles that have a corner behind the centre of the canal (larger y, which is
+// posterior in LPS).
 struct CutShape {
   double limit_y = 0;
   Mesh whole, kept, removed;
@@ -87,8 +89,9 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
-// Of the removed part: mean of the true surface to the candidate, of the candidate (where it is behind the
-// cut) to the true surface, their average, and p95 and the largest of both.
+// Errors in the removed part: the mean distance from the true surface to the candidate, the mean distance
+// from the candidate (behind the cut) to the true surface, their average, and p95 and maximum of both sets of
+// distances.
 struct Error {
   double there = 0, back = 0, mean = 0, p95 = 0, largest = 0;
 };
@@ -115,8 +118,8 @@ void row(const std::string& name, const std::string& method, const Error& e, con
   std::fflush(stdout);
 }
 
-// Of the completed landmarks behind the cut: the mean deviation, and how many lie within two of theirs of the
-// true surface.
+// For the completed landmarks behind the cut: the mean standard deviation, and the share whose distance to
+// the true surface is within two standard deviations.
 std::string calibration(const CompletedSurface& completed, const CutShape& shape) {
   const TriangleTree truth(shape.whole);
   const std::vector<double> deviations = standard_deviations(completed.shape);
@@ -142,7 +145,7 @@ void keep(const Study& study, const std::string& name, const TriangleSoup& soup)
 
 std::string subject_of(const std::string& name) { return name.substr(0, name.find('_')); }
 
-// The model without the shapes of a subject, of a correspondence that has seen them.
+// The model without the shapes of a subject. The correspondence was computed with these shapes.
 AlignedModel without_subject(const UsableModel& model, const std::string& subject) {
   std::vector<std::string> left_out;
   for (const std::string& name : model.names)

@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { defineConfig, type Plugin } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
 
-/** `REPORT=../model/report.html npm run dev`: the page under development with the data of a report. */
+/** `REPORT=../model/report.html npm run dev` shows the page under development with the data of a report. */
 function dataOfReport(report: string | undefined): Plugin {
   return {
     name: 'data-of-report',

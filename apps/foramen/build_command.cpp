@@ -9,7 +9,7 @@ namespace {
 
 struct BuildCommand {
   BuildArguments arguments;
-  BuildRequest request;  // as the arguments have it
+  BuildRequest request;  // set from the arguments
   std::vector<std::string> inputs;
   std::string output;
   bool strict = false;
@@ -30,8 +30,8 @@ int build(const BuildCommand& command) {
 int finish_build(const BuildRequest& request, const Console& console, bool strict) {
   const BuildSummary summary = run_build(request, console.context());
   for (const LeftOut& shape : summary.left_out)
-    console.warn("left out " + source_of(shape) + ": " + shape.reason);
-  for (const std::string& note : summary.notes) console.warn(note);
+    console.warn(shape.reason.about("left out " + source_of(shape)));
+  for (const Message& note : summary.notes) console.warn(note);
   if (console.json)
     std::cout << summary.json << '\n';
   else

@@ -16,7 +16,7 @@
 
 namespace foramen::app {
 
-/// The flags of a build's choices.
+/// The flags for the choices of a build.
 struct BuildFlags {
   BuildChoices choices;
 
@@ -25,7 +25,7 @@ struct BuildFlags {
   BuildOptions resolved() const;
 };
 
-/// All that decides what a build gives, beside its inputs.
+/// Everything except the inputs that determines the result of a build.
 struct BuildArguments {
   BuildFlags flags;
   LabelFlags label_flags;
@@ -40,7 +40,7 @@ struct BuildArguments {
                        const std::string& canonical_command) const;
 };
 
-/// Runs the build, tells the user, gives the exit code.
+/// Runs the build, prints its results, and returns the exit code.
 int finish_build(const BuildRequest& request, const Console& console, bool strict);
 
 }  // namespace foramen::app

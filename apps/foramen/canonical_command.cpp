@@ -19,7 +19,7 @@ std::string canonical_command(const CLI::App& command, const std::vector<std::st
     const std::string shown = option->get_lnames().empty() ? name : "--" + option->get_lnames().front();
     if (option->count() == 0 || std::find(without.begin(), without.end(), shown) != without.end()) continue;
     text += " " + shown;
-    if (option->get_expected_max() > 0)  // no flag
+    if (option->get_expected_max() > 0)  // the option takes a value
       for (const std::string& value : option->results())
         text += " " + (shown == "--label-names" ? fs::path(value).filename().string() : value);
   }

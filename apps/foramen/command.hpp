@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// What the sub-commands of the program share.
+/// Declarations that the sub-commands of the program share.
 
+#include <filesystem>
 #include <functional>
 #include <iosfwd>
 #include <map>
@@ -10,15 +11,16 @@
 
 #include <CLI/CLI.hpp>
 
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
 #include "run_record.hpp"
 
 namespace foramen::app {
 
-/// Exit codes, a fixed contract.
+/// Exit codes. Their values are part of the interface and never change.
 enum ExitCode { done = 0, refused = 1, usage = 2, not_converged = 3, cancelled = 130 };
 
-/// How a command talks to its user. Results go to stdout, everything else to stderr.
+/// The output of a command to its user. Results go to stdout, everything else to stderr.
 struct Console {
   bool json = false;   ///< one object on stdout instead of text
   bool quiet = false;  ///< no progress, no summary
@@ -30,14 +32,17 @@ struct Console {
   /// A context whose progress is shown as a bar on a terminal and as plain lines otherwise, and which Ctrl-C
   /// stops.
   RunContext context() const;
-  /// A line for the user unless quiet or json.
+  /// Prints a line, unless quiet or json is set.
   void say(const std::string& line) const;
-  /// A warning: always shown unless quiet.
+  /// Prints a warning, unless quiet is set.
   void warn(const std::string& line) const;
+  /// The same with the flags for its remedies.
+  void warn(const Message& message) const;
 };
 
-/// An option whose value is one of these words, in any case. It keeps the word (a CLI11 transformer of values
-/// would keep their numbers), so that the recorded command reads as one would type it.
+/// Adds an option whose value is one of these words, in upper or lower case. The option keeps the word, so
+/// that the recorded command has the form in which a user types it. A CLI11 transformer would keep the number
+/// of the value instead.
 template <class Value>
 CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& value,
                         const std::map<std::string, Value>& choices, const std::string& what) {
@@ -54,18 +59,22 @@ CLI::Option* add_choice(CLI::App& command, const std::string& option, Value& val
       ->default_str(chosen);
 }
 
+/// Says how many meshes were written to a folder, as text or as JSON.
+void tell_written(const Console& console, const std::filesystem::path& folder, int files);
+
 /// Adds --threads, --json, --quiet, --events, --log.
 void add_console_options(CLI::App& command, Console& console);
 
-/// The command as it is recorded: what decides the result, and nothing else. Files by their base names.
+/// The command in the form in which it is recorded: everything that determines the result, and nothing else.
+/// Files are given by their base names.
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs);
 
-/// What --events and --log begin with: the command as it was typed.
+/// Begins the records of --events and --log with the command as it was typed.
 void begin_run(const std::string& command);
-/// What they end with. \param error  empty: none
+/// Ends the records of --events and --log. \param error  empty if there is none
 void end_run(int exit_code, const std::string& error = {});
 
-/// Each registers one sub-command whose work is left in `run`.
+/// Each function below registers one sub-command. When the sub-command is parsed, it sets `run` to its work.
 using Run = std::function<int()>;
 void add_build(CLI::App& program, Run& run);
 void add_compare(CLI::App& program, Run& run);

@@ -8,11 +8,12 @@
 
 #include "command.hpp"
 #include "progress_bar.hpp"
+#include "remedy_words.hpp"
 
 namespace foramen::app {
 namespace {
 
-// The one context of the program, which Ctrl-C stops; set before the signal handler is, and never again.
+// The context that Ctrl-C stops. It is set once, before the signal handler is installed.
 std::optional<RunContext> interruptible;
 
 extern "C" void on_interrupt(int) { interruptible->request_stop(); }
@@ -25,7 +26,7 @@ void stop_on(int signal) {
   sigaction(signal, &action, nullptr);
 }
 
-// All that a run tells while it runs, to a person and to the files of --events and --log.
+// Reports the progress of a run to the terminal and to the files of --events and --log.
 class Reporter {
  public:
   Reporter(const Console& console, const std::string& command_line) : record_(console.record, command_line) {
@@ -41,7 +42,7 @@ class Reporter {
     if (bar_) bar_->show(progress, seconds);
   }
   RunRecord& record() { return record_; }
-  // What is printed next begins a line.
+  // Ends the line of the progress bar, so that the next output begins on a new line.
   void leave_bar() {
     if (bar_) bar_->leave_line();
   }
@@ -53,8 +54,8 @@ class Reporter {
   std::chrono::steady_clock::time_point stage_start_;
 };
 
-std::string command_line;            // as it was typed
-std::shared_ptr<Reporter> reporter;  // of the one run of this program
+std::string command_line;            // the command as it was typed
+std::shared_ptr<Reporter> reporter;  // this program has only one run
 
 Reporter& reporter_of(const Console& console) {
   if (!reporter) reporter = std::make_shared<Reporter>(console, command_line);
@@ -91,6 +92,8 @@ void Console::warn(const std::string& line) const {
   reporter_of(*this).record().warning(line);
   if (!quiet && record.events != "-") std::cerr << "warning: " << line << '\n';
 }
+
+void Console::warn(const Message& message) const { warn(worded(message)); }
 
 void add_console_options(CLI::App& command, Console& console) {
   command.add_option("--threads", console.threads, "threads to use (0: all)")->check(CLI::Range(0, 1024));

@@ -17,7 +17,7 @@ int convert_files(ConvertCommand command) {
   ConvertRequest& request = command.request;
   request.command = recorded_command(request);
   const ConvertSummary summary = convert(request, command.console.context());
-  for (const std::string& note : summary.notes) command.console.warn(note);
+  for (const Message& note : summary.notes) command.console.warn(note);
   if (command.console.json)
     std::cout << convert_json(request, summary).dump(2) << '\n';
   else

@@ -34,7 +34,7 @@ nlohmann::ordered_json convert_json(const ConvertRequest& request, const Convert
           {"files", summary.files},
           {"shapes", summary.shapes},
           {"landmarks", summary.landmarks},
-          {"notes", summary.notes}};
+          {"notes", texts_of(summary.notes)}};
 }
 
 }  // namespace foramen::app

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The options of a conversion and what is said of it.
+/// The options of a conversion, and the output about it.
 
 #include <string>
 
@@ -14,10 +14,10 @@ namespace foramen::app {
 /// Adds --to, --units, --triangles, --scale.
 void add_convert_options(CLI::App& command, ConvertRequest& request);
 
-/// The command as models record it.
+/// The command in the form in which models record it.
 std::string recorded_command(const ConvertRequest& request);
 
-/// output, files, shapes, landmarks, notes.
+/// A JSON object with output, files, shapes, landmarks and notes.
 nlohmann::ordered_json convert_json(const ConvertRequest& request, const ConvertSummary& summary);
 
 }  // namespace foramen::app

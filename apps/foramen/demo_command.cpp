@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 struct DemoCommand {
   SynthOptions synth;
   BuildFlags flags;
-  BuildOptions build;  // as the flags have it
+  BuildOptions build;  // set from the flags
   std::string output = "foramen-demo";
   Console console;
 };
@@ -37,7 +37,7 @@ int demo(const DemoCommand& command) {
 
 void add_demo(CLI::App& program, Run& run) {
   auto options = std::make_shared<DemoCommand>();
-  options->flags.choices.samples = 100;  // a tenth of a build's: the demo is to take about a minute
+  options->flags.choices.samples = 100;  // fewer than a build, so that the demo takes a minute
   CLI::App* command = program.add_subcommand(
       "demo", "a synthetic cohort, its model and report: needs no input, ends with the report's path");
   command->footer("Example:\n  foramen demo -n 8");

@@ -56,7 +56,7 @@ CLI::Option* add_field(CLI::App& command, const std::string& flag, Field& field,
   }
 }
 
-/// What the help shows as the default of an option that may be unset.
+/// The text that the help shows as the default of an option that may be unset.
 template <class Field>
 std::string shown_default(const Field& field) {
   if constexpr (foramen::detail::is_optional<Field>) {
@@ -79,8 +79,9 @@ inline std::string flag_of(std::string_view name) {
   return flag;
 }
 
-/// Adds a flag for every choice of a struct whose options may be unset, named as the choice is. The help
-/// shows the choices that are already set, and else these defaults.
+/// Adds a flag for every choice of a struct whose options may be unset. The flag has the name of the choice.
+/// As the default, the help shows the value of the choice if it is already set, and otherwise the value in
+/// `defaults`.
 template <DescribedOptions Choices>
 std::map<std::string, CLI::Option*> add_choices(CLI::App& command, Choices& choices,
                                                 const Choices& defaults) {
@@ -100,8 +101,8 @@ std::map<std::string, CLI::Option*> add_choices(CLI::App& command, Choices& choi
   return added;
 }
 
-/// Adds the flag for the option of this path. Its help, its default and the check of its range come from the
-/// description.
+/// Adds the flag for the option with this path. Its help, its default and the check of its range come from
+/// the description.
 template <DescribedOptions Options>
 CLI::Option* add_described(CLI::App& command, const std::string& flag, Options& options,
                            std::string_view path) {

@@ -10,7 +10,7 @@ namespace {
 
 struct ExtractCommand {
   LabelFlags flags;
-  std::optional<LabelRequest> labels;  // as the flags have it
+  std::optional<LabelRequest> labels;  // set from the flags
   std::vector<std::string> inputs;
   std::string output;
   bool strict = false, repair = false;
@@ -27,8 +27,8 @@ int extract(const ExtractCommand& command) {
   request.canonical_command = command.console.command;
   const ExtractSummary summary = run_extract(request, command.console.context());
   for (const LeftOut& label : summary.left_out)
-    command.console.warn("left out " + source_of(label) + ": " + label.reason);
-  for (const std::string& note : summary.notes) command.console.warn(note);
+    command.console.warn(label.reason.about("left out " + source_of(label)));
+  for (const Message& note : summary.notes) command.console.warn(note);
   if (command.console.json)
     std::cout << summary.json << '\n';
   else

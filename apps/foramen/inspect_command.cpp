@@ -11,13 +11,14 @@
 #include "foramen/topology/inspect_mesh.hpp"
 #include "modelfiles/mesh_report_json.hpp"
 #include "modelfiles/repair_record.hpp"
+#include "remedy_words.hpp"
 
 namespace foramen::app {
 namespace {
 
 using nlohmann::ordered_json;
 
-// Of a surface that has more than the canal; empty where they cannot be told.
+// The handles of a surface that has more than the canal; unset if they cannot be determined.
 std::optional<SurfaceHandles> handles_of(const TriangleSoup& soup, const MeshReport& r,
                                          const Console& console) {
   if (r.genus.value_or(0) < 2 || *r.genus > RemoveHandlesOptions().most_handles || !is_in_millimetres(r) ||
@@ -27,7 +28,7 @@ std::optional<SurfaceHandles> handles_of(const TriangleSoup& soup, const MeshRep
   try {
     return find_handles(r.inward ? reversed(mesh) : mesh, console.context().without_progress());
   } catch (const ConvergenceError&) {
-    return std::nullopt;  // it runs through itself there
+    return std::nullopt;  // the surface intersects itself at a handle
   }
 }
 
@@ -77,7 +78,7 @@ void print(const std::string& file, const MeshReport& r) {
     std::cout << " (the size of no vertebra in mm, cm, m or um)";
   std::cout << ", area " << r.area << ", volume " << r.volume << '\n';
   if (const auto obstacle = obstacle_to_model(r))
-    std::cout << "  NOT USABLE: " << obstacle->finding << "; " << obstacle->remedy << '\n';
+    std::cout << "  NOT USABLE: " << worded(obstacle->message()) << '\n';
   else
     std::cout << "  usable" << (r.inward ? " (its inward winding will be reversed)" : "") << '\n';
 }
@@ -110,7 +111,7 @@ int inspect(const InspectOptions& options) {
       if (options.console.json)
         all.push_back({{"file", file}, {"usable", false}, {"finding", e.what()}});
       else
-        std::cerr << "foramen: " << e.what() << '\n';
+        std::cerr << "foramen: " << worded(e) << '\n';
     }
   }
   if (options.console.json) std::cout << ordered_json{{"files", all}}.dump(2) << '\n';

@@ -14,8 +14,8 @@ namespace foramen::app {
 class LabelFlags {
  public:
   void add_to(CLI::App& command);
-  /// Empty if none was given. Throws CLI::ValidationError for labels that are none; IoError for a names file
-  /// that cannot be read. \pre the command line is parsed
+  /// The request; unset if no flag was given. Throws CLI::ValidationError for text that is no list of labels,
+  /// and IoError if the file of names cannot be read. \pre the command line is parsed
   std::optional<LabelRequest> resolved() const;
 
  private:

@@ -4,6 +4,7 @@
 #include "command.hpp"
 #include "foramen/core/error.hpp"
 #include "modelfiles/version.hpp"
+#include "remedy_words.hpp"
 
 namespace {
 
@@ -16,7 +17,7 @@ int run_program(int argc, char** argv) {
       "Example: foramen build shapes/ -o model"};
   program.set_version_flag("--version", "foramen " + version());
   program.require_subcommand(1);
-  program.option_defaults()->always_capture_default();  // help shows them
+  program.option_defaults()->always_capture_default();  // the help shows defaults
   Run run;
   add_demo(program, run);
   add_synth(program, run);
@@ -39,7 +40,7 @@ int run_program(int argc, char** argv) {
   add_manual(program, run);
   for (CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; }))
     for (CLI::Option* option : command->get_options())
-      if (option->get_required()) option->default_str("");  // what must be given has no default to show
+      if (option->get_required()) option->default_str("");  // a required option has no default
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -50,7 +51,7 @@ int run_program(int argc, char** argv) {
   return code;
 }
 
-int fail(const char* what, ExitCode code) {
+int fail(const std::string& what, ExitCode code) {
   end_run(code, what);
   std::cerr << "foramen: " << what << '\n';
   return code;
@@ -67,10 +68,10 @@ int main(int argc, char** argv) {
   } catch (const Cancelled&) {
     return fail("stopped; nothing was left half-written", ExitCode::cancelled);
   } catch (const ConvergenceError& e) {
-    return fail(e.what(), ExitCode::not_converged);
+    return fail(worded(e), ExitCode::not_converged);
   } catch (const std::bad_alloc&) {
     return fail("out of memory", ExitCode::refused);
   } catch (const std::exception& e) {
-    return fail(e.what(), ExitCode::refused);
+    return fail(worded(e), ExitCode::refused);
   }
 }

@@ -1,5 +1,5 @@
-// The manual page and the completions of shells, written from the commands' own descriptions, so that they
-// say what the program does.
+// The manual page and the completion scripts of shells. They are generated from the descriptions of the
+// commands, so that they agree with the program.
 #include <algorithm>
 #include <iostream>
 
@@ -14,7 +14,7 @@ std::vector<const CLI::App*> commands_of(const CLI::App& program) {
   return {commands.begin(), commands.end()};
 }
 
-// "--output" before "-o".
+// The names of an option; "--output" comes before "-o".
 std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 
 bool takes_value(const CLI::Option& option) { return option.get_expected_max() > 0; }
 
-// Of a choice, "{a,b}" in CLI11's type name.
+// The words of an option that is a choice. CLI11 gives them in the type name, as "{a,b}".
 std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const auto open = type.find('{'), close = type.find('}');
@@ -48,7 +48,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
-// A shell's single quotes.
+// The text in single quotes, for a shell.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -94,7 +94,7 @@ std::string bash_completion(const CLI::App& program) {
          "complete -o default -F _foramen foramen\n";
 }
 
-// Brackets and colons mean something in zsh's specifications.
+// Escapes brackets and colons, which are special characters in zsh's specifications.
 std::string zsh_escaped(const std::string& text) {
   std::string out;
   for (char c : text) out += c == '[' || c == ']' || c == ':' ? std::string("\\") + c : std::string(1, c);
@@ -159,7 +159,7 @@ std::string fish_completion(const CLI::App& program) {
   return text;
 }
 
-// A backslash, a dash, and a dot or quote at a line's beginning mean something in roff.
+// Escapes what is special in roff: backslashes, dashes, and a dot or quote at the beginning of a line.
 std::string roff(const std::string& text) {
   std::string out;
   bool line_begins = true;
@@ -176,7 +176,7 @@ std::string roff(const std::string& text) {
   return out;
 }
 
-// The lines of a footer, as they are.
+// The lines of a help footer, without filling.
 std::string example(const std::string& text) {
   return text.empty() ? "" : ".PP\n.nf\n" + roff(text) + "\n.fi\n";
 }
@@ -210,8 +210,7 @@ std::string manual_page(const CLI::App& program) {
          "line was not understood\n.TP\n.B 3\nan optimisation did not converge\n.TP\n.B 130\nstopped by "
          "Ctrl\\-C\n"
          ".SH SEE ALSO\nBecker, Kirschner, Fuhrmann, Wesarg: Automatic Construction of Statistical Shape "
-         "Models for "
-         "Vertebrae. MICCAI 2011.\n";
+         "Models for Vertebrae. MICCAI 2011.\n";
 }
 
 }  // namespace

@@ -4,9 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "io/atomic_file.hpp"
-#include "pages/model_page.hpp"
 #include "pages/render_model.hpp"
+#include "workflow/write_report.hpp"
 
 namespace foramen::app {
 namespace {
@@ -26,7 +25,7 @@ int render(const PictureCommand& command) {
   const nlohmann::ordered_json captions = write_rendered(files, folder);
   for (const RenderedFile& file : files)
     command.console.say((folder / file.name).string() + ": " + file.caption);
-  // Names of shapes and folders may be no UTF-8; JSON must be.
+  // Names of shapes and folders may be invalid UTF-8, but JSON must be valid UTF-8.
   if (command.console.json)
     std::cout << nlohmann::ordered_json{{"folder", command.output}, {"files", captions}}.dump(
                      2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
@@ -35,13 +34,11 @@ int render(const PictureCommand& command) {
 }
 
 int report(const PictureCommand& command) {
-  const fs::path file =
-      command.output.empty() ? fs::path(command.model) / "report.html" : fs::path(command.output);
-  PageOptions options{.baseline = command.baseline};
-  if (command.plain) options.kind = PageKind::plain;
-  const ModelPage page = model_page(command.model, options);
-  write_file(file, page.html);
-  command.console.say(file.string() + ": " + page.remark);
+  ReportRequest request{
+      .model = command.model, .output = command.output, .page = {.baseline = command.baseline}};
+  if (command.plain) request.page.kind = PageKind::plain;
+  const WrittenReport written = write_report(request);
+  command.console.say(written.file.string() + ": " + written.remark);
   return ExitCode::done;
 }
 

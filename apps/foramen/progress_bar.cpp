@@ -7,7 +7,8 @@ namespace foramen::app {
 namespace {
 
 constexpr int width = 30;
-constexpr double enough_seconds = 2, enough_fraction = 0.05;  // to tell how long the rest will take
+// The least progress from which the remaining time is estimated.
+constexpr double enough_seconds = 2, enough_fraction = 0.05;
 
 std::string time_left(double seconds) {
   const int whole = static_cast<int>(std::lround(seconds));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How far a run has come, for a person at a terminal.
+/// The progress of a run, shown on a terminal.
 
 #include <chrono>
 #include <optional>
@@ -10,11 +10,12 @@
 
 namespace foramen::app {
 
-/// Seconds that a stage will still take if it goes on as fast as it has; unset while that is a guess.
+/// The remaining seconds of a stage, if it continues at its average speed so far. Unset at the beginning of a
+/// stage, when the estimate would be poor.
 std::optional<double> remaining_seconds(double elapsed_seconds, double fraction);
 
-/// Redraws one line on a terminal (stage, bar, what was just finished, time left); prints a line a stage, and
-/// every quarter of a long one, otherwise.
+/// On a terminal, redraws one line with the stage, a bar, the item just finished and the remaining time.
+/// Elsewhere, prints one line per stage, and one for every quarter of a long stage.
 class ProgressBar {
  public:
   explicit ProgressBar(bool terminal) : terminal_(terminal) {}
@@ -22,9 +23,9 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// \param stage_seconds  since the stage began
+  /// \param stage_seconds  seconds since the stage began
   void show(const Progress& progress, double stage_seconds);
-  /// So that what is printed next has a line of its own.
+  /// Ends the line of the bar, so that the next output has a line of its own.
   void leave_line();
 
  private:

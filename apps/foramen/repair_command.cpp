@@ -68,7 +68,7 @@ int repair(const RepairCommand& command) {
       return repair_surface(std::move(file.soup), command.unit, command.repair,
                             command.console.context().without_progress());
     } catch (const InvalidInput& e) {
-      throw InvalidInput(command.input + ": " + e.what());
+      throw InvalidInput(message_of(e).about(command.input));
     }
   }();
   TriangleSoup soup = repaired.mesh.soup();

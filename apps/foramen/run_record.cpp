@@ -29,7 +29,7 @@ std::ofstream open(const std::string& path, std::ios::openmode mode) {
   return file;
 }
 
-// A file name may hold bytes that are no UTF-8.
+// A file name may contain bytes that are invalid in UTF-8.
 std::string line_of(const ordered_json& event) {
   return event.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a run does as it does it, for other programs (events) and for later (a log file).
+/// Records of a run while it runs: events for other programs, and a log file for people.
 
 #include <chrono>
 #include <fstream>
@@ -11,16 +11,16 @@
 
 namespace foramen::app {
 
-/// Where to; both empty: nowhere.
+/// The files of the records; an empty name means that there is no such record.
 struct RecordOptions {
-  std::string events;  ///< a file, or - for standard error: one JSON object a line
-  std::string log;     ///< a file of text, a time before each line; what is there already stays
+  std::string events;  ///< a file, or - for standard error; one JSON object per line
+  std::string log;     ///< a text file to which lines with times are appended
 };
 
 /// Events: {"event": "started", "command", "version", "time"}, {"event": "progress", "seconds", "stage",
 /// "fraction", "item", "remaining_seconds" or null}, {"event": "warning" or "message", "seconds", "text"},
-/// {"event": "ended", "seconds", "exit_code", "error" or null}. Every line is written at once. Safe to use
-/// from many threads.
+/// {"event": "ended", "seconds", "exit_code", "error" or null}. Every line is written immediately. The
+/// functions may be called from several threads.
 class RunRecord {
  public:
   /// Throws IoError if a file cannot be written.
@@ -28,7 +28,7 @@ class RunRecord {
   void progress(const Progress& progress, double stage_seconds);
   void warning(const std::string& text);
   void message(const std::string& text);
-  /// \param error  empty: none
+  /// \param error  empty if there is none
   void ended(int exit_code, const std::string& error);
 
  private:

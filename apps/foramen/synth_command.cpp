@@ -20,9 +20,7 @@ int synth(const SynthCommand& command) {
   const auto shapes = synth_cohort(command.synth, command.console.context());
   write_synth_cohort(shapes, command.output);
   command.console.say("wrote " + std::to_string(shapes.size()) + " shapes to " + command.output +
-                      "/shapes and their true "
-                      "correspondence to " +
-                      command.output + "/truth");
+                      "/shapes and their true correspondence to " + command.output + "/truth");
   return ExitCode::done;
 }
 

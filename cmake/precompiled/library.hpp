@@ -1,5 +1,5 @@
-// What most sources include, parsed once a build. Sources still name what they use: clang-tidy reads them
-// without this file.
+// Headers that most sources include, parsed once per build. Sources still include what they use, because
+// clang-tidy reads them without this file.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/Geometry>

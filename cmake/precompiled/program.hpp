@@ -1,4 +1,4 @@
-// What the program's commands include, parsed once a build.
+// Headers that the program's commands include, parsed once per build.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

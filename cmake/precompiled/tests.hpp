@@ -1,4 +1,4 @@
-// What most tests include, parsed once a build.
+// Headers that most tests include, parsed once per build.
 #pragma once
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

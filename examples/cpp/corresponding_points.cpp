@@ -1,11 +1,12 @@
-// A model of corresponding points from any tool: alignment, principal components, and how well they generalize.
+// A model of corresponding points from any tool: alignment, principal components, and how well they
+// generalize.
 #include <cmath>
 #include <cstdio>
 
 #include <foramen/foramen.hpp>
 
 int main() {
-  // Octahedra whose height varies, each turned and moved: what another tool may have written.
+  // Octahedra of different heights, each rotated and translated, in place of the points of another tool.
   const std::vector<std::array<int, 3>> triangles{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
                                                   {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   foramen::CorrespondingCohort cohort;

@@ -1,4 +1,5 @@
-// Meshes made in memory, brought into correspondence: tubes bent to a ring, each with a bump of another height.
+// Meshes made in memory, brought into correspondence: tubes bent to a ring, each with a bump of another
+// height.
 #include <cmath>
 #include <cstdio>
 #include <numbers>

@@ -1,4 +1,5 @@
-// A new surface projected on a model: its landmarks, its scores, and how far the model is from it.
+// A new surface projected on a model: its landmarks, its scores, and its distance to the closest shape of the
+// model.
 #include <cstdio>
 
 #include <foramen/foramen.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// What the parts of the Python module share. Arrays are numpy's, C-contiguous; lengths are in mm.
+/// Declarations that the parts of the Python module share. Arrays are C-contiguous numpy arrays; lengths are
+/// in mm.
 
 #include <functional>
 #include <span>
@@ -24,28 +25,31 @@ namespace py = pybind11;
 using PointArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using TriangleArray = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
-/// (P, 3) and (T, 3) arrays as a soup and back. Throws InvalidInput for another shape.
+/// Convert (P, 3) and (T, 3) arrays to a soup, and a soup to arrays. Throw InvalidInput for arrays of another
+/// shape.
 TriangleSoup soup_of(const PointArray& points, const TriangleArray& triangles);
 PointArray points_array(std::span<const Vec3> points);
 TriangleArray triangles_array(const std::vector<std::array<int, 3>>& triangles);
 
-/// "LPS" or "RAS", and back.
+/// Convert "LPS" and "RAS" to a space, and a space to text.
 AnatomicalSpace space_of(const std::string& name);
 std::string name_of(AnatomicalSpace space);
 
-/// JSON text for Python's json.loads. A file name may hold bytes that are no UTF-8.
+/// The value as JSON text for Python's json.loads. File names may contain bytes that are invalid in UTF-8.
 std::string text_of(const nlohmann::ordered_json& value);
 
-/// Runs long work without the interpreter's lock. `progress` (None, or called with stage, fraction, item) is
-/// called under it; what it raises, and Ctrl-C, ends the work and is raised again.
+/// Runs work without holding the interpreter's lock. `progress` is None or a callable, which is called with
+/// stage, fraction and item under the lock. An exception that it raises, or Ctrl-C, ends the work and is
+/// raised again.
 void run_unlocked(int threads, const py::object& progress,
                   const std::function<void(const RunContext&)>& work);
 
-/// (N, P, 3) of shapes with the same number of points, and back. Throws InvalidInput for another shape.
+/// Convert shapes with the same number of points to an array (N, P, 3), and such an array to shapes. Throw
+/// InvalidInput for arrays of another shape.
 py::array_t<double> shapes_array(const std::vector<std::vector<Vec3>>& shapes);
 std::vector<std::vector<Vec3>> shapes_of(const PointArray& points);
 
-/// Surfaces from Python that passed the audit of a build's input, and those that did not.
+/// Surfaces from Python: those that passed the audit of a build's input, and those that did not.
 struct GivenShapes {
   std::vector<Shape> shapes;
   std::vector<AnatomicalSpace> spaces;  ///< one per shape

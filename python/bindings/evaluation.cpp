@@ -20,7 +20,7 @@ py::array_t<Number> column(const Items& items, const Value& value) {
   return out;
 }
 
-// The mean and standard error at every number of modes.
+// The means and standard errors at all numbers of modes.
 template <class Items, class Value>
 py::dict estimates(const Items& items, const Value& estimate_of) {
   py::dict out;
@@ -29,7 +29,7 @@ py::dict estimates(const Items& items, const Value& estimate_of) {
   return out;
 }
 
-// The same with the values of all shapes or draws, (modes, items).
+// The means and standard errors, with the values (modes, items) of all shapes or draws.
 py::dict errors(const std::vector<ErrorsAtModes>& all, Estimate ErrorsAtModes::*estimate,
                 double ShapeError::*error) {
   py::dict out = estimates(all, [&](const ErrorsAtModes& at) { return at.*estimate; });
@@ -125,7 +125,7 @@ py::dict evaluation_dict(const Evaluation& e) {
   return out;
 }
 
-// The original surfaces of the shapes by their names; without any, the corresponding meshes themselves.
+// The original surfaces of the shapes, found by name. If none are given, the corresponding meshes.
 std::vector<Mesh> originals(const CorrespondingCohort& cohort, const GivenShapes* given) {
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < cohort.names.size(); ++i)

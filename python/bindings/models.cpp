@@ -16,13 +16,13 @@ using ScoreArray = py::array_t<double, py::array::c_style | py::array::forcecast
 
 PointArray as_points(const Eigen::VectorXd& shape) { return points_array(unflattened(shape)); }
 
-// (count, P, 3)
-py::array_t<double> shapes_array(const LoadedModel& loaded, py::ssize_t count) {
+// (count, P, 3), to be filled.
+py::array_t<double> unfilled_shapes(const LoadedModel& loaded, py::ssize_t count) {
   return py::array_t<double>({count, static_cast<py::ssize_t>(loaded.model.landmarks()), py::ssize_t{3}});
 }
 
-// Shapes (N, P, 3) of scores (N, up to K) in standard deviations, as Python has all scores; foramen's are in
-// mm. Modes without a score are 0.
+// The shapes (N, P, 3) with these scores (N, up to K). Scores in Python are in standard deviations, those of
+// foramen in mm. Scores of further modes are 0.
 py::array_t<double> reconstruct(const LoadedModel& loaded, const ScoreArray& scores) {
   if (scores.ndim() != 2) throw InvalidInput("scores must be an array of shape (K,) or (N, K)");
   const py::ssize_t count = scores.shape(0), given = scores.shape(1);
@@ -32,7 +32,7 @@ py::array_t<double> reconstruct(const LoadedModel& loaded, const ScoreArray& sco
   const double* const from = scores.data();
   if (!std::all_of(from, from + count * given, [](double score) { return std::isfinite(score); }))
     throw InvalidInput("scores: not all are finite; correct them");
-  py::array_t<double> out = shapes_array(loaded, count);
+  py::array_t<double> out = unfilled_shapes(loaded, count);
   double* const values = out.mutable_data();
   const py::gil_scoped_release unlocked;
   const Eigen::Index size = loaded.model.mean().size();
@@ -54,11 +54,11 @@ Eigen::VectorXd scores_of(const LoadedModel& loaded, const PointArray& points) {
       .cwiseQuotient(loaded.model.variance().cwiseSqrt());
 }
 
-// The shapes that `foramen sample` writes for the same seed.
+// Random shapes, equal to those that `foramen sample` writes for the same seed.
 py::array_t<double> sample(const LoadedModel& loaded, int count, std::uint64_t seed) {
   if (count < 0) throw InvalidInput("count is " + std::to_string(count) + "; it must be >= 0");
   const Eigen::Index size = loaded.model.mean().size();
-  py::array_t<double> out = shapes_array(loaded, count);
+  py::array_t<double> out = unfilled_shapes(loaded, count);
   double* const values = out.mutable_data();
   const py::gil_scoped_release unlocked;
   const Rng root(seed);
@@ -76,7 +76,7 @@ PointArray along_mode(const LoadedModel& loaded, int mode, double sd) {
   return as_points(loaded.model.along_mode(mode, sd));
 }
 
-// (P, 3, K)
+// The modes as an array (P, 3, K).
 py::array_t<double> basis(const LoadedModel& loaded) {
   const Eigen::MatrixXd& b = loaded.model.basis();
   py::array_t<double> out(

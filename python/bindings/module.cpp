@@ -5,6 +5,7 @@
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "modelfiles/version.hpp"
+#include "remedy_words.hpp"
 
 namespace foramen::python {
 
@@ -79,11 +80,11 @@ std::string text_of(const nlohmann::ordered_json& value) {
 
 namespace {
 
-// How often the interpreter is asked whether the user has pressed Ctrl-C.
+// The interval at which the interpreter is asked whether the user has pressed Ctrl-C.
 constexpr std::chrono::milliseconds between_signals(50);
 
-// Does the work on a thread of its own and calls look() from time to time until it is done. Throws what the
-// work throws.
+// Does the work on a thread of its own, and calls look() at regular intervals until it is done. Throws what
+// the work throws.
 void run_beside(const std::function<void()>& work, const std::function<void()>& look) {
   std::packaged_task<void()> task(work);
   std::future<void> done = task.get_future();
@@ -97,9 +98,9 @@ void run_beside(const std::function<void()>& work, const std::function<void()>& 
 
 void run_unlocked(int threads, const py::object& progress,
                   const std::function<void(const RunContext&)>& work) {
-  std::exception_ptr raised;  // by the callback, or by Ctrl-C; looked at under the interpreter's lock
+  std::exception_ptr raised;  // exception of the callback or of Ctrl-C; accessed under the interpreter's lock
   const RunContext* running = nullptr;
-  // Calls what may raise an exception of Python, which then ends the work.
+  // Makes a call that may raise a Python exception. Such an exception ends the work.
   const auto stopping = [&](const auto& call) {
     const py::gil_scoped_acquire lock;
     if (raised) return;
@@ -115,7 +116,7 @@ void run_unlocked(int threads, const py::object& progress,
       if (!progress.is_none()) progress(p.stage, p.fraction, p.item);
     });
   };
-  // Python's handlers of signals run on its main thread alone, which waits here while others work.
+  // Python handles signals only on its main thread, which waits here while other threads work.
   const auto look_for_signals = [&] {
     stopping([] {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -143,6 +144,24 @@ void add_errors(py::module_& module) {
   py::register_exception<IoError>(module, "IoError", base);
   const auto invalid = py::register_exception<InvalidInput>(module, "InvalidInput", base);
   py::register_exception<TopologyError>(module, "TopologyError", invalid);
+  // Asked before the others: an error with remedies goes on to them with the keywords in its text.
+  py::register_exception_translator([](std::exception_ptr error) {
+    try {
+      std::rethrow_exception(std::move(error));
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const TopologyError& e) {
+      throw TopologyError(worded(message_of(e)));
+    } catch (const InvalidInput& e) {
+      throw InvalidInput(worded(message_of(e)));
+    } catch (const IoError& e) {
+      throw IoError(worded(message_of(e)));
+    } catch (const ConvergenceError& e) {
+      throw ConvergenceError(worded(message_of(e)));
+    } catch (const Error& e) {
+      throw Error(worded(message_of(e)));
+    }
+  });
 }
 
 }  // namespace foramen::python

@@ -15,10 +15,10 @@ namespace foramen::python {
 namespace detail {
 namespace {
 
-// As many names as are offered for one that there is not.
+// The number of similar names that a message suggests for an unknown name.
 constexpr std::size_t most_offered = 3;
 
-// How many letters are to be inserted, left out or exchanged.
+// The number of letters to insert, remove or replace to turn a into b (Levenshtein distance).
 std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -56,7 +56,7 @@ bool ends_with_parts(const std::string& path, const std::string& given) {
   return path.size() > given.size() && path.ends_with(given) && path[path.size() - given.size() - 1] == '.';
 }
 
-// A whole number that is no bool, as Python's int.
+// A whole number as Python's int. A bool is not accepted as a number.
 py::int_ whole_number(py::handle given, const std::string& option) {
   if (py::isinstance<py::bool_>(given) || PyIndex_Check(given.ptr()) == 0)
     wrong_type(option, "a whole number", given);
@@ -163,7 +163,7 @@ py::object list_options(const std::string& function) {
   return with_options_of(function, [](const auto& options) -> py::object { return listed_options(options); });
 }
 
-// All options as they are when some are given.
+// The values of all options when these options are given.
 py::object options_with(const std::string& function, const py::dict& given) {
   return with_options_of(function, [&](auto options) -> py::object {
     set_options(options, given, function.c_str());

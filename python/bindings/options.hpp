@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Described options (core/options.hpp) from Python's dicts, and what is said of them.
+/// Sets described options (core/options.hpp) from Python's dicts, and lists their descriptions.
 
 #include <cstdint>
 #include <limits>
@@ -17,18 +17,18 @@ namespace detail {
 
 /// Throws Python's TypeError: "OPTION must be WHAT, not TYPE".
 [[noreturn]] void wrong_type(const std::string& option, const char* what, py::handle given);
-/// The word of a string or of a member of an enumeration of strings, in small letters.
+/// The word in a string or in a member of an enumeration of strings, in lower case.
 std::string word_from(py::handle given, const std::string& option);
 bool bool_from(py::handle given, const std::string& option);
 double number_from(py::handle given, const std::string& option);
-/// Throws InvalidInput for a number that is not in least .. most.
+/// The integer. Throws InvalidInput for a number outside least .. most.
 std::int64_t integer_from(py::handle given, const std::string& option, std::int64_t least);
 std::uint64_t unsigned_from(py::handle given, const std::string& option);
 std::string string_from(py::handle given, const std::string& option);
-/// The one path that a user means by it or by its last parts. Throws InvalidInput, naming what is near, if
-/// there is none or more than one.
+/// The path that equals the given text or ends with it. Throws InvalidInput if there is no such path or more
+/// than one; the message names similar paths.
 std::string path_meant(const std::string& given, const std::vector<std::string>& paths);
-/// Whether a dict is given, for a struct.
+/// Whether the value is a dict, which sets the options of a struct.
 bool is_dict(py::handle given);
 
 template <class Field>
@@ -48,7 +48,8 @@ void set_fields(Options& options, const py::dict& given) {
   }
 }
 
-// A struct in a list: a dict, or a sequence of its numbers in their order.
+// A struct that is an element of a list. It is given as a dict, or as a sequence of its numbers in their
+// order.
 template <DescribedOptions Options>
 void set_item(Options& item, py::handle given, const std::string& option) {
   if (is_dict(given)) return set_fields(item, py::reinterpret_borrow<py::dict>(given));
@@ -164,9 +165,9 @@ py::tuple words_of() {
 
 }  // namespace detail
 
-/// Sets the options that a dict gives by their paths, or by the last parts of them where these are of one
-/// option alone. Throws TypeError; InvalidInput for what is no option and for a value out of its range.
-/// \param where  the function whose options they are, for messages
+/// Sets the options in a dict. Its keys are the paths of options, or the last parts of paths if no other
+/// option ends with them. Throws TypeError for a value of a wrong type, and InvalidInput for an unknown
+/// option and for a value out of its range. \param where  the name of the function, for messages
 template <DescribedOptions Options>
 void set_options(Options& options, const py::dict& given, const char* where) {
   detail::set_fields(options, given);

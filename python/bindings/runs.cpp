@@ -8,22 +8,22 @@
 #include "exchange/convert.hpp"
 #include "findings/compare_models.hpp"
 #include "foramen/core/error.hpp"
-#include "io/atomic_file.hpp"
 #include "options.hpp"
-#include "pages/model_page.hpp"
 #include "pages/render_model.hpp"
+#include "remedy_words.hpp"
 #include "workflow/build_choices.hpp"
 #include "workflow/evaluate_folder.hpp"
 #include "workflow/label_choices.hpp"
 #include "workflow/run_build.hpp"
 #include "workflow/run_extract.hpp"
+#include "workflow/write_report.hpp"
 
 namespace foramen::python {
 namespace {
 
-// What a user's value reads like on a command line.
+// A value as a user would type it on a command line.
 std::string shown(py::handle value) {
-  if (py::isinstance<py::str>(value)) return value.cast<std::string>();  // also a member of an enumeration
+  if (py::isinstance<py::str>(value)) return value.cast<std::string>();  // includes members of enumerations
   return py::str(py::reinterpret_borrow<py::object>(value)).cast<std::string>();
 }
 
@@ -31,7 +31,7 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).lexically_normal().filename().string();
 }
 
-// The program's command that gives the same files; they record it.
+// The command of the program that writes the same files. The files record it.
 class CanonicalCommand {
  public:
   CanonicalCommand(const std::string& verb, const std::vector<std::string>& inputs)
@@ -39,7 +39,8 @@ class CanonicalCommand {
     for (const std::string& input : inputs) add_word(file_name(input));
   }
 
-  // The options of a struct that a dict sets, in their order. Unset ones and switches that are off are left out.
+  // Adds the options of a struct that a dict sets, in their order. Unset options and switches that are off
+  // are left out.
   template <DescribedOptions Options>
   void add(const Options& options, const py::dict& given) {
     for_each_option(options, [&](const std::string& path, const auto& field, const OptionText&) {
@@ -91,7 +92,7 @@ GivenLabels labels_from(const py::dict& given) {
   return labels;
 }
 
-// Limits of a repair that is not asked for are a mistake.
+// Throws if limits of repair are given although no repair is requested.
 std::optional<RepairOptions> repair_from(bool repair, const py::dict& limits) {
   if (!repair) {
     for (const auto& [name, limit] : limits)
@@ -189,16 +190,12 @@ std::string compare(const std::vector<std::string>& models) {
 std::string report(const std::string& model, const std::string& output, const std::string& baseline,
                    bool plain) {
   const py::gil_scoped_release unlocked;
-  PageOptions options;
-  if (plain) options.kind = PageKind::plain;
-  options.baseline = baseline;
-  const ModelPage page = model_page(model, options);
-  std::string path = output.empty() ? (std::filesystem::path(model) / "report.html").string() : output;
-  write_file(path, page.html);
-  return path;
+  ReportRequest request{.model = model, .output = output, .page = {.baseline = baseline}};
+  if (plain) request.page.kind = PageKind::plain;
+  return write_report(request).file.string();
 }
 
-// files, shapes, landmarks, notes
+// Returns files, shapes, landmarks and notes.
 py::tuple convert_files(const std::string& input, const std::string& output, const py::object& format,
                         const std::string& unit, const std::string& triangles, const py::object& scale,
                         int threads, const py::object& progress) {
@@ -212,7 +209,9 @@ py::tuple convert_files(const std::string& input, const std::string& output, con
   request.command = command.text();
   ConvertSummary summary;
   run_unlocked(threads, progress, [&](const RunContext& ctx) { summary = foramen::convert(request, ctx); });
-  return py::make_tuple(summary.files, summary.shapes, summary.landmarks, summary.notes);
+  std::vector<std::string> notes;
+  for (const Message& note : summary.notes) notes.push_back(worded(note));
+  return py::make_tuple(summary.files, summary.shapes, summary.landmarks, notes);
 }
 
 std::string render(const std::string& model, const std::string& output, const std::string& baseline,

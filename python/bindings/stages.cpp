@@ -6,12 +6,14 @@
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
+#include "core/option_bytes.hpp"
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/stages/build_model.hpp"
 #include "inputs/read_cohort.hpp"
 #include "modelfiles/usable_model.hpp"
 #include "options.hpp"
+#include "remedy_words.hpp"
 #include "workflow/build_choices.hpp"
 
 namespace foramen::python {
@@ -22,13 +24,13 @@ struct MadeCorrespondence {
   CorrespondOptions options;
 };
 
-// The surfaces as a build takes them from files: audited, and wound outward.
+// The surfaces, audited and wound outward as those that a build reads from files.
 GivenShapes given_shapes(const std::vector<std::string>& names, const std::vector<PointArray>& points,
                          const std::vector<TriangleArray>& triangles, const std::vector<std::string>& spaces,
                          int threads, const py::object& progress) {
   struct Audited {
     Mesh mesh;
-    std::string refusal;
+    Message refusal;
   };
   std::vector<TriangleSoup> soups;
   for (std::size_t i = 0; i < names.size(); ++i) soups.push_back(soup_of(points[i], triangles[i]));
@@ -39,13 +41,13 @@ GivenShapes given_shapes(const std::vector<std::string>& names, const std::vecto
       try {
         shape.mesh = usable_shape({}, std::move(soups[i]), LengthUnit::millimetre).mesh;
       } catch (const InvalidInput& e) {
-        shape.refusal = e.what();
+        shape.refusal = message_of(e);
       }
     });
   });
   GivenShapes given;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (audited[i].refusal.empty()) {
+    if (audited[i].refusal.text.empty()) {
       given.shapes.push_back({names[i], std::move(audited[i].mesh)});
       given.spaces.push_back(space_of(spaces[i]));
     } else {
@@ -55,22 +57,23 @@ GivenShapes given_shapes(const std::vector<std::string>& names, const std::vecto
   return given;
 }
 
-// What a stage throws for want of shapes also names those that the audit refused.
+// Runs a stage. If it throws because there are too few shapes, the message also names those that the audit
+// refused.
 template <class Stage>
 auto with_refused(const GivenShapes& given, const Stage& stage) {
   try {
     return stage();
   } catch (const TooFewShapes& e) {
-    std::string message = e.what();
+    Message message = message_of(e);
     for (const FailedShape& shape : given.refused)
-      message += "\n  left out " + shape.name + ": " + shape.reason;
+      message.append(shape.reason.about("\n  left out " + shape.name));
     throw TooFewShapes(message);
   }
 }
 
 py::list failures(const std::vector<FailedShape>& shapes) {
   py::list list;
-  for (const FailedShape& shape : shapes) list.append(py::make_tuple(shape.name, shape.reason));
+  for (const FailedShape& shape : shapes) list.append(py::make_tuple(shape.name, worded(shape.reason)));
   return list;
 }
 
@@ -90,7 +93,7 @@ py::dict record_of(const ShapeRegistration& shape) {
   return out;
 }
 
-// What Python's Correspondence is made of.
+// The values from which Python's Correspondence is made.
 py::dict registration_of(const CohortRegistration& cohort, const GivenShapes& given) {
   std::vector<FailedShape> failed = given.refused;
   failed.insert(failed.end(), cohort.failed.begin(), cohort.failed.end());
@@ -114,7 +117,7 @@ BuildOptions options_of(const py::dict& chosen) {
   return build_options(choices);
 }
 
-// what it can be used for, what is said of it
+// Returns the correspondence for the next stages, and its description.
 py::tuple correspond_shapes(const GivenShapes& given, const py::dict& chosen, const py::dict& further,
                             int threads, const py::object& progress) {
   auto made = std::make_shared<MadeCorrespondence>();
@@ -155,7 +158,7 @@ void refuse_choices_of_correspondence(const py::dict& chosen) {
       throw ChoiceWithoutEffect(name, "has no effect on a correspondence that is finished");
 }
 
-// build_model() from the second stage on.
+// The stages of build_model() after correspond().
 BuiltModel built_from(std::span<const Shape> shapes, const Correspondence& correspondence,
                       const BuildOptions& options, const RunContext& ctx) {
   BuiltModel built;
@@ -181,7 +184,8 @@ py::array_t<double> transforms_array(const std::vector<SimilarityTransform>& tra
   return out;
 }
 
-// What Python's Model is made of: the model, what it is used with, the corresponding points, the transforms.
+// The values from which Python's Model is made: the model, the data for its use, the corresponding points,
+// and the transforms.
 py::dict model_parts(const std::vector<std::vector<Vec3>>& corresponding, UsableModel usable,
                      LandmarkWeights weights) {
   py::dict out;
@@ -194,7 +198,7 @@ py::dict model_parts(const std::vector<std::vector<Vec3>>& corresponding, Usable
   return out;
 }
 
-// The space of the reference, as mean.ply has it.
+// The space of the reference, which is also that of mean.ply.
 AnatomicalSpace space_of_reference(const GivenShapes& given, const std::string& reference) {
   for (std::size_t i = 0; i < given.shapes.size(); ++i)
     if (given.shapes[i].name == reference) return given.spaces[i];

@@ -34,7 +34,7 @@ std::unique_ptr<SurfaceProjector> projector_of(const UsableModel& model, int thr
   return projector;
 }
 
-// landmarks, scores, fit, residual, fit_residual, figures as JSON
+// Returns landmarks, scores, fit, residual, fit_residual, and the figures as JSON.
 py::tuple project(const SurfaceProjector& projector, const PointArray& points, const TriangleArray& triangles,
                   const std::vector<std::string>& left_out, const py::object& progress) {
   TriangleSoup soup = soup_of(points, triangles);
@@ -50,7 +50,7 @@ py::tuple project(const SurfaceProjector& projector, const PointArray& points, c
                         text_of(projection_json(found)));
 }
 
-// points, standard deviations, seen, figures as JSON, note or None, posterior
+// Returns points, standard deviations, seen, figures as JSON, a note or None, and the posterior.
 py::tuple complete(const UsableModel& model, const PointArray& points, const TriangleArray& triangles,
                    const std::string& space, double noise_mm, double beyond_modes, const py::dict& further,
                    int threads, const py::object& progress) {
@@ -78,7 +78,7 @@ py::tuple complete(const UsableModel& model, const PointArray& points, const Tri
       text_of(completion_json(completed)), completion_note(completed), std::move(posterior));
 }
 
-// Measures of N shapes by their names: points (N, 3), distances (N,), areas (N,).
+// The measures of N shapes by their names: points (N, 3), distances (N,), areas (N,).
 py::tuple arrays_of(const MeasureDefinitions& definitions, const std::vector<ShapeMeasures>& all) {
   const auto shapes = static_cast<py::ssize_t>(all.size());
   const auto column = [&](const auto& value_of) {
@@ -102,7 +102,7 @@ py::tuple arrays_of(const MeasureDefinitions& definitions, const std::vector<Sha
   return py::make_tuple(points, distances, areas);
 }
 
-// Definitions of a JSON file, or the text of one.
+// Definitions, given as a JSON file or as the text of one.
 struct Definitions {
   MeasureDefinitions measures;
   std::string source;
@@ -112,7 +112,7 @@ struct Definitions {
         source(file.empty() ? "definitions" : file) {}
 };
 
-// names, points, distances, areas
+// Returns names, points, distances and areas.
 py::tuple measure_meshes(const LoadedModel& loaded, const std::string& file, const std::string& text,
                          const std::vector<std::string>& inputs, const std::string& unit,
                          const py::object& progress) {
@@ -133,7 +133,7 @@ py::tuple measure_meshes(const LoadedModel& loaded, const std::string& file, con
   return py::make_tuple(names) + arrays_of(definitions.measures, measures);
 }
 
-// points, distances, areas of an array (N, P, 3)
+// Returns points, distances and areas of an array (N, P, 3).
 py::tuple measure_landmarks(const LoadedModel& loaded, const std::string& file, const std::string& text,
                             const PointArray& shapes, const py::object& progress) {
   if (shapes.ndim() != 3 || shapes.shape(2) != 3)

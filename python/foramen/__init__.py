@@ -12,9 +12,10 @@ or, in memory,
     foramen.evaluate(model).generalization.mean_surface.mean
 
 Surfaces are Mesh objects of numpy arrays: points (P, 3) in mm, triangles (T, 3), counter-clockwise seen from outside.
-Long work runs without the interpreter's lock on `threads` threads (0: all) and calls `progress(stage, fraction, item)`,
-fraction in 0..1 of the stage; an exception raised there, or Ctrl-C, ends the work and is raised. Errors are those of the
-C++ library: Error, and from it IoError, InvalidInput, TopologyError (an InvalidInput), ConvergenceError and Cancelled.
+Long computations release the interpreter's lock, use `threads` threads (0: all) and call `progress(stage, fraction,
+item)`, where fraction is the finished share of the stage. An exception raised in `progress`, or Ctrl-C, ends the
+computation and is raised again. Errors are those of the C++ library: Error and its subclasses IoError, InvalidInput,
+TopologyError (a subclass of InvalidInput), ConvergenceError and Cancelled.
 """
 
 from . import _foramen

@@ -1,4 +1,4 @@
-"""What is measured on a model."""
+"""The measures of a model."""
 
 import json
 import os
@@ -18,7 +18,8 @@ from ._stages import given_shapes, named
 
 @dataclass(frozen=True)
 class Estimates:
-    """A measure at M numbers of modes: mean (M,), standard_error (M,), and the values (M, items) behind them, if there are."""
+    """A measure at M numbers of modes: mean (M,), standard_error (M,), and the single values (M, items) if they are
+    known."""
 
     mean: np.ndarray
     standard_error: np.ndarray
@@ -27,7 +28,7 @@ class Estimates:
 
 @dataclass(frozen=True)
 class ModelErrors:
-    """Distances of a model's shapes to shapes, mm, at M numbers of modes (M,)."""
+    """Distances between shapes of a model and surfaces, mm, at M numbers of modes (M,)."""
 
     modes: np.ndarray
     hausdorff: Estimates
@@ -37,7 +38,7 @@ class ModelErrors:
 
 @dataclass(frozen=True)
 class Compactness:
-    """The variance that the first modes hold (M,): per landmark [mm^2], and as a fraction of all."""
+    """The variance of the first modes (M,): per landmark [mm^2], and as a fraction of the total variance."""
 
     modes: np.ndarray
     variance_per_landmark: np.ndarray
@@ -55,7 +56,8 @@ class Ensemble:
 
 @dataclass(frozen=True)
 class DrawnShapes:
-    """Of each shape drawn within 2 standard deviations (D,): self-intersections, triangles folded over, opposing the mean's."""
+    """Counts for each of D shapes drawn within 2 standard deviations (D,): self-intersections, triangles that are
+    folded over, and triangles that oppose the mean's."""
 
     self_intersections: np.ndarray
     folded: np.ndarray
@@ -64,7 +66,8 @@ class DrawnShapes:
 
 @dataclass(frozen=True)
 class Representation:
-    """Of each shape (N,): distances of its corresponding mesh to its surface, mm, and the mesh's faults."""
+    """For each shape (N,): the distances between its corresponding mesh and its surface, mm, and the defects of the
+    mesh."""
 
     mean: np.ndarray
     p95: np.ndarray
@@ -79,7 +82,8 @@ class Representation:
 
 @dataclass(frozen=True)
 class TruthError:
-    """Distance to the true correspondence, mm: mean, p95 and max, those of perfect landmarks (floor), and means by shape."""
+    """Distance to the true correspondence, mm: mean, p95 and max, the same for perfect landmarks (floor), and means by
+    shape."""
 
     error: dict
     floor: dict
@@ -90,8 +94,8 @@ class TruthError:
 class Evaluation:
     """All measures of N shapes in correspondence, as docs/evaluation.md defines them.
 
-    total_variance is per landmark [mm^2]. generalization leaves out one shape at a time, its values are of the shapes;
-    generalization_by_subject all shapes of a subject. The values of specificity are of the draws.
+    total_variance is per landmark [mm^2]. generalization leaves out one shape at a time and has one value per shape;
+    generalization_by_subject leaves out all shapes of a subject. specificity has one value per drawn shape.
     """
 
     names: list
@@ -127,7 +131,7 @@ def _evaluation(record):
 
 
 def _in_correspondence(meshes):
-    """(points (N, P, 3), triangles) of meshes with the same triangles."""
+    """The points (N, P, 3) and the triangles of meshes with the same triangles."""
     if not meshes:
         raise InvalidInput("there are no shapes")
     for mesh in meshes:
@@ -149,18 +153,19 @@ def _true_correspondence(truth, names):
 
 def evaluate(corresponding, *, names=None, shapes=None, truth=None, true_landmarks=None, output=None, samples=None, seed=None,
              subjects=None, subject_regex="", scale=None, weights=None, options=None, threads=0, progress=None):
-    """Compactness, generalization, specificity and more of shapes in correspondence, from any tool.
+    """Computes compactness, generalization, specificity and other measures of corresponding shapes of any tool.
 
-    In memory: corresponding is a Model, or Mesh objects with the same triangles (a sequence, with names, or a mapping
-    from names), and the result an Evaluation. shapes: the original surfaces, under the same names; without them distances
-    are to the surfaces that the model was built of, or else to the corresponding meshes. truth: the true correspondence,
-    Mesh objects with the same triangles in the same order or by the same names. subjects: one per shape.
+    In memory: corresponding is a Model, or Mesh objects with the same triangles (a sequence with names, or a mapping
+    from names to them). The result is an Evaluation. shapes: the original surfaces, under the same names. Without them,
+    distances are measured to the surfaces from which the model was built, or to the corresponding meshes if these are
+    unknown. truth: the true correspondence, as Mesh objects with the same triangles, in the same order or under the
+    same names. subjects: one per shape.
 
-    From files: corresponding is a folder of meshes, and the result a dict, the contents of metrics.json. shapes and truth:
-    folders, by the same names; true_landmarks and output: folders to write to.
+    From files: corresponding is a folder of meshes. The result is a dict with the contents of metrics.json. shapes and
+    truth: folders of meshes with the same names; true_landmarks and output: folders to write to.
 
-    samples, seed, subject_regex, scale and weights as for build(); of a Model, its own scale and weights are the default.
-    options: a dict for all others, see list_options("evaluate").
+    samples, seed, subject_regex, scale and weights: as for build(); the defaults for a Model are its own scale and
+    weights. options: a dict of all other options, see list_options("evaluate").
     """
     settings = {"draws": samples, "seed": seed, "scale": scale, "landmark_weights": weights}
     settings = {**given(**settings), **(options or {})}

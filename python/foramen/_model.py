@@ -1,4 +1,4 @@
-"""A finished model and its use: sampling, scores, new surfaces, parts of surfaces, measures."""
+"""Using a model: sampling, scores, new surfaces, partial surfaces, measures."""
 
 import json
 import os
@@ -19,12 +19,13 @@ from ._stages import Correspondence
 class Model:
     """A statistical shape model x = mean + sum_m scores_m sqrt(variance_m) basis_m.
 
-    mean (P, 3) mm; triangles (T, 3); variance (K,) mm^2, decreasing, divisor n - 1; basis (P, 3, K), orthonormal in the inner
-    product of the weights (P,); names of the n training shapes and their scores (n, K) in standard deviations; space.
+    mean (P, 3) mm; triangles (T, 3); variance (K,) mm^2, decreasing, divisor n - 1; basis (P, 3, K), orthonormal in the
+    inner product of the weights (P,); names of the n training shapes and their scores (n, K) in standard deviations;
+    space.
 
-    A model made in memory also has transforms (n, 4, 4): each shape's coordinates -> the model's; scale and
-    landmark_weights, the options that it was made with; and, if build_model() made it, its correspondence, without the
-    maps. Of a model that was read these are None.
+    A model made in memory also has transforms (n, 4, 4), from each shape's coordinates to the model's; scale and
+    landmark_weights, the options with which it was made; and, if build_model() made it, its correspondence, without the
+    maps. For a model that was read from files, these are None.
     """
 
     def __init__(self, loaded, folder=None):
@@ -43,18 +44,19 @@ class Model:
 
     @classmethod
     def load(cls, path):
-        """The model of a folder that build() wrote, or of a model.h5 in the statismo layout.
+        """Reads the model in a folder that build() wrote, or a model.h5 in the statismo layout.
 
-        project(), complete() and measure() of the training shapes need the folder.
+        project(), complete(), and measure() of the training shapes need the folder.
         """
         path = os.fspath(path)
         return cls(_foramen.LoadedModel(path), path)
 
     @classmethod
     def from_corresponding(cls, points, triangles, *, names=None, scale="keep", weights="equal", space="LPS"):
-        """The model of corresponding shapes of any tool: points (n, P, 3) in mm, in any pose; their triangles (T, 3).
+        """Makes a model of corresponding shapes of any tool: points (n, P, 3) in mm, in any pose, and triangles (T, 3).
 
-        Generalized Procrustes alignment and principal components. It has no maps, so that project() cannot be used.
+        The shapes are aligned by generalized Procrustes analysis, and a PCA gives the modes. The model has no torus
+        maps, so project() cannot be used.
         """
         points = np.asarray(points)
         names = [f"shape{i + 1:03d}" for i in range(len(points))] if names is None else list(names)
@@ -72,7 +74,8 @@ class Model:
 
     @property
     def corresponding(self):
-        """The landmarks (n, P, 3) of the training shapes, each in its own coordinates, mm, of a model made in memory."""
+        """The landmarks (n, P, 3) of the training shapes, in the shapes' own coordinates, mm, for a model made in
+        memory."""
         if self._corresponding is None:
             raise InvalidInput("a model that was read has its corresponding shapes in the folder corresponding/ beside it")
         return self._corresponding
@@ -83,36 +86,39 @@ class Model:
         return len(self.variance)
 
     def mesh(self, points):
-        """Landmarks (P, 3) as a Mesh of the model's triangles."""
+        """A Mesh of these landmarks (P, 3) and the model's triangles."""
         return Mesh(np.asarray(points), self.triangles, self.space)
 
     def reconstruct(self, scores):
-        """The shape (P, 3), mm, of up to K scores in standard deviations; of N rows of them, the shapes (N, P, 3).
+        """The shape (P, 3), mm, with these scores (up to K) in standard deviations, or N shapes (N, P, 3) for N rows of
+        scores.
 
-        In model coordinates, as `foramen reconstruct` writes them; modes without a score are 0.
+        The shapes are in model coordinates, as `foramen reconstruct` writes them. Scores of further modes are 0.
         """
         scores = np.asarray(scores, dtype=float)
         shapes = self._loaded.reconstruct(np.atleast_2d(scores))
         return shapes if scores.ndim > 1 else shapes[0]
 
     def scores_of(self, points):
-        """Scores (K,), in standard deviations, of landmarks (P, 3) in the model's frame: those of the closest shape."""
+        """The scores (K,), in standard deviations, of the model's shape closest to these landmarks (P, 3) in model
+        coordinates."""
         return self._loaded.scores_of(points)
 
     def sample(self, count, seed=1):
-        """Random shapes (count, P, 3), mm: those that `foramen sample` writes for the same seed."""
+        """Random shapes (count, P, 3), mm, equal to those that `foramen sample` writes for the same seed."""
         return self._loaded.sample(count, seed)
 
     def along_mode(self, mode, sd):
-        """The mean +- sd standard deviations (P, 3), mm, along a mode counted from 0."""
+        """The mean plus `sd` standard deviations along a mode (P, 3), mm. Modes are counted from 0."""
         return self._loaded.along_mode(mode, sd)
 
     def project(self, mesh, *, leave_out=(), threads=0, progress=None):
-        """What the model says of a new surface, closed, of genus 1, in any pose, as a Projection.
+        """Projects a new closed surface of genus 1 in any pose on the model. The result is a Projection.
 
-        The surface is registered to the mean as build() does it, with the same checks. leave_out: a name or names of training
-        shapes to leave out of the model for a second distance. The first call prepares the mean, on `threads` threads; a
-        surface takes one, so that several can be projected at a time from threads of your own.
+        The surface is registered to the mean in the same way as in build(), with the same checks. leave_out: the name
+        or names of training shapes; the distance to the model without these shapes is computed as well. The first call
+        prepares the mean on `threads` threads. The projection itself uses one thread, so several surfaces can be
+        projected at the same time from several threads.
         """
         leave_out = [leave_out] if isinstance(leave_out, str) else list(leave_out)
         if self._projector is None:
@@ -122,10 +128,11 @@ class Model:
         return Projection(points, scores, fit, residual, fit_residual, json.loads(figures))
 
     def complete(self, mesh, *, noise_mm=0.5, beyond_modes=0.3, options=None, threads=0, progress=None):
-        """The whole of a partial or damaged surface, open or closed, in any pose, wound outward, as a Completion.
+        """Completes a partial or damaged surface, open or closed, in any pose, wound outward. The result is a
+        Completion.
 
-        noise_mm: standard deviation of the surface about the shape [mm]; beyond_modes: variance of smooth displacements that no
-        mode has, as a share of the prior's, 0 for the modes alone; options: a dict for all others, see
+        noise_mm: standard deviation of the surface from the shape [mm]; beyond_modes: variance of shapes beyond the
+        modes, as a share of the smooth process, 0 for the modes alone; options: a dict of all other options, see
         list_options("complete"). Warns if another pose fits nearly as well.
         """
         points, sd, seen, figures, note, posterior = self._of_folder().complete(
@@ -135,12 +142,13 @@ class Model:
         return Completion(Mesh(points, self.triangles, mesh.space), sd, seen, json.loads(figures), posterior)
 
     def measure(self, definitions, shapes=None, *, units="mm", progress=None):
-        """Points, distances and areas defined once on the mean, taken on many shapes, as Measures.
+        """Measures points, distances and areas, which are defined once on the mean, on many shapes. The result is a
+        Measures.
 
-        definitions: a dict, or a JSON file, of points (a landmark's index or a position [x, y, z] on the mean, mm), distances
-        (a pair of points) and regions ({"centre": point, "radius_mm": r} or {"landmarks": [...]}), by names of your choice.
-        shapes: landmarks (P, 3) or (N, P, 3) in mm; or mesh files with the model's landmarks, and folders of them; None: the
-        training shapes. units: of files.
+        definitions: a dict or a JSON file of points (a landmark's index or a position [x, y, z] on the mean, mm),
+        distances (a pair of points) and regions ({"centre": point, "radius_mm": r} or {"landmarks": [...]}), with any
+        names. shapes: landmarks (P, 3) or (N, P, 3) in mm, or mesh files with the model's landmarks and folders of
+        them; None: the training shapes. units: the unit of the files.
         """
         if isinstance(definitions, dict):
             file, text = "", json.dumps(definitions, default=_plain)
@@ -167,7 +175,7 @@ class Model:
 
 
 def _plain(value):
-    """What JSON has for numpy's numbers and arrays."""
+    """The JSON equivalent of numpy's numbers and arrays."""
     if isinstance(value, (np.ndarray, np.generic)):
         return value.tolist()
     raise TypeError(f"definitions cannot hold a {type(value).__name__}")
@@ -175,12 +183,13 @@ def _plain(value):
 
 @dataclass
 class Projection:
-    """What Model.project() says of a surface of V points, in its coordinates, mm.
+    """The result of Model.project() for a surface of V points, in the surface's coordinates, mm.
 
-    points (P, 3): its landmarks; scores (K,) in standard deviations; fit (P, 3): the closest shape that the model has;
-    residual (V,): distance of each of its points to the fit; fit_residual (P,): of each landmark of the fit to the surface;
-    figures: the numbers of project.json: representation (surface to its landmarks' mesh) and fit, mean_mm, p95_mm, hausdorff_mm;
-    if shapes are left out, left_out and fit_without_left_out.
+    points (P, 3): the landmarks on the surface; scores (K,) in standard deviations; fit (P, 3): the closest shape of
+    the model; residual (V,): the distance of each point of the surface to the fit; fit_residual (P,): the distance of
+    each landmark of the fit to the surface; figures: the numbers of project.json. These are mean_mm, p95_mm and
+    hausdorff_mm of representation (surface to the mesh of its landmarks) and of fit, and left_out and
+    fit_without_left_out if shapes are left out.
     """
 
     points: np.ndarray
@@ -195,8 +204,9 @@ class Projection:
 class Completion:
     """The distribution of whole shapes given a part, in the part's coordinates, mm.
 
-    mesh: its mean, P landmarks; sd (P,): standard deviation of each landmark; seen (P,) bool: whether it was matched with the
-    part; figures: the numbers of complete.json; posterior: the distribution as a Model, to sample for example.
+    mesh: the mean of the distribution, with P landmarks; sd (P,): the standard deviation of each landmark; seen (P,)
+    bool: whether the landmark was matched with the part; figures: the numbers of complete.json; posterior: the
+    distribution as a Model, for example to sample from it.
     """
 
     mesh: Mesh
@@ -218,9 +228,10 @@ class Completion:
 
 @dataclass
 class Measures:
-    """What Model.measure() takes on N shapes, by the names of the definitions.
+    """The result of Model.measure() for N shapes, by the names of the definitions.
 
-    names: of the files, none for arrays; points (N, 3) in each shape's coordinates, mm; distances (N,) mm; areas (N,) mm^2.
+    names: those of the files, empty for arrays; points (N, 3) in each shape's coordinates, mm; distances (N,) mm; areas
+    (N,) mm^2.
     """
 
     names: list

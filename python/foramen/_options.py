@@ -1,4 +1,4 @@
-"""Words and descriptions of options."""
+"""Enumerations and descriptions of options."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -15,8 +15,8 @@ class Method(str, Enum):
 
 
 class Objective(str, Enum):
-    """What draws the maps together: points of the bent mean's surface, the paper's soft neighbours, or the surface and
-    then the description length."""
+    """The term that attracts the maps to each other: points of the bent template's surface, the paper's soft
+    neighbours, or the surface followed by the description length."""
 
     SURFACE = "surface"
     NEIGHBOURS = "neighbours"
@@ -31,7 +31,8 @@ class Distortion(str, Enum):
 
 
 class Bending(str, Enum):
-    """How the template is brought onto a shape: bent with what the other shapes tell, bent alone, or only aligned."""
+    """How the template is fitted to a shape: bent with a prior from the other shapes, bent with a smooth prior, or
+    aligned."""
 
     COHORT = "cohort"
     SMOOTH = "smooth"
@@ -46,7 +47,7 @@ class Scale(str, Enum):
 
 
 class Weights(str, Enum):
-    """What landmarks count for: all alike, or by the area around them."""
+    """The weights of landmarks: all equal, or by the area around each landmark."""
 
     EQUAL = "equal"
     AREA = "area"
@@ -68,9 +69,10 @@ class Optimiser(str, Enum):
 
 @dataclass(frozen=True)
 class Option:
-    """What is said of an option: path, kind (bool, int, float, str, or a list), unit, default, range, words, meaning.
+    """The description of an option: path, kind (bool, int, float, str, or a list), unit, default, range, words,
+    meaning.
 
-    range is for people, "> 0" for example, and empty for every number; words are the values of an enumeration.
+    range is text, for example "> 0", and empty if every number is allowed; words are the values of an enumeration.
     """
 
     path: str
@@ -83,14 +85,15 @@ class Option:
 
 
 def list_options(function):
-    """All options of "correspond", "place_landmarks", "build_model", "evaluate", "complete", "repair" or "build".
+    """All options of a function: "correspond", "place_landmarks", "build_model", "evaluate", "complete", "repair" or
+    "build".
 
-    Those of the first five are set with options={path: value}; the last parts of a path are enough where no other option
-    has them. Those of "build" are its keywords.
+    The options of the first five are set with options={path: value}. The last parts of a path are enough if no other
+    option ends with them. The options of "build" are its keywords.
     """
     return [Option(*said) for said in _foramen.list_options(getattr(function, "__name__", function))]
 
 
 def given(**keywords):
-    """The keywords that are set, by the options' names."""
+    """The keywords that are set, under the names of their options."""
     return {name.rstrip("_"): value for name, value in keywords.items() if value is not None and value is not False}

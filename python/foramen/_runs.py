@@ -1,4 +1,4 @@
-"""From files to files: the verbs that build, measure, compare, convert and picture models."""
+"""Functions from files to files: they build, measure, compare, convert and draw models."""
 
 import json
 import os
@@ -19,9 +19,9 @@ def _path(path):
 
 def extract(inputs, output, *, labels=None, numbering=None, label_names=None, keep_cut=False, repair=False,
             handle_limit=None, hole_limit=None, threads=0, progress=None):
-    """Meshes of the labels of label maps, written to a folder; what extract.json holds as a dict.
+    """Writes meshes of the labels of label maps to a folder. Returns the contents of extract.json as a dict.
 
-    labels: e.g. "20-24,3"; numbering: "verse" or "totalsegmentator"; label_names: a CSV file instead.
+    labels: for example "20-24,3"; numbering: "verse" or "totalsegmentator"; label_names: a CSV file with the names.
     """
     return json.loads(_foramen.extract(paths_of(inputs), os.fspath(output), _labels(labels, numbering, label_names, keep_cut),
                                        bool(repair), given(handle_limit=handle_limit, hole_limit=hole_limit), threads,
@@ -37,10 +37,11 @@ def build(inputs, output, *, method=None, objective=None, rounds=None, distortio
           subject_regex=None, paper=False, initial_map=None, optimiser=None, units=None, numbering=None, labels=None,
           label_names=None, keep_cut=False, repair=False, handle_limit=None, hole_limit=None, truth=None, refit=False,
           resume=False, store=None, threads=0, progress=None):
-    """A model from surfaces or label maps, with its evaluation and report, written to a folder; the summary as a dict.
+    """Builds a model from surfaces or label maps, and writes it with its evaluation and report to a folder. Returns a
+    summary.
 
-    inputs: a path or a list of files and folders. Keywords are the options of `foramen build`, with the same defaults and the
-    same results, byte for byte; see `foramen build --help`.
+    inputs: a path or a list of files and folders. Keywords are the options of `foramen build`, with the same defaults.
+    The same options give the same bytes in the files. See `foramen build --help`.
     """
     chosen = given(method=method, objective=objective, rounds=rounds, distortion=distortion, bending=bending,
                    reference=reference, lambda_=lambda_, landmarks=landmarks, target_error=target_error, samples=samples,
@@ -53,22 +54,25 @@ def build(inputs, output, *, method=None, objective=None, rounds=None, distortio
 
 
 def compare(models):
-    """Generalization and specificity of two or more models' folders side by side, with paired tests, as a dict."""
+    """Compares generalization and specificity of two or more models' folders, with paired tests. Returns a dict."""
     return json.loads(_foramen.compare(paths_of(models)))
 
 
 def report(model, output=None, *, baseline=None, plain=False):
-    """Writes a model's report.html again, or elsewhere; returns its path."""
+    """Writes the report of a model, to report.html in its folder or to another file. Returns the path."""
     return _foramen.report(os.fspath(model), _path(output), _path(baseline), plain)
 
 
 def convert(input, output, *, to=None, units=None, triangles=None, scale=None, threads=0, progress=None):
-    """Models and corresponding shapes to and from other tools' files; output, files, shapes, landmarks, notes as a dict.
+    """Converts models and corresponding shapes between the files of different tools.
 
-    input: a model's folder, model.h5 or .h5.json, a folder of corresponding meshes, .swproj, .tps or a landmark table .csv.
-    output: a file, its kind by its extension (.h5 .h5.json .swproj .tps .csv), or a folder of meshes. to: what to write where
-    the name does not say it, as `foramen convert --to`; units: of the input's shapes; triangles: a mesh file for inputs that
-    are points alone; scale: "keep" or "remove", where a model is made of shapes.
+    Returns a dict with output, files, shapes, landmarks and notes.
+
+    input: a model's folder, model.h5 or .h5.json, a folder of corresponding meshes, .swproj, .tps or a landmark table
+    .csv. output: a file, whose format follows from its extension (.h5 .h5.json .swproj .tps .csv), or a folder of
+    meshes. to: the format, as in `foramen convert --to`, if the extension does not determine it; units: the unit of the
+    input's shapes; triangles: a mesh file, for inputs of points without triangles; scale: "keep" or "remove", if a
+    model is made from shapes.
     """
     files, shapes, landmarks, notes = _foramen.convert(os.fspath(input), os.fspath(output), to, units or "mm", _path(triangles),
                                                        scale, threads, progress)
@@ -76,8 +80,8 @@ def convert(input, output, *, to=None, units=None, triangles=None, scale=None, t
 
 
 def render(model, output, *, baseline=None, only_curves=False):
-    """Pictures of a model as PNG, curves as SVG and PDF, written to a folder; a dict of their captions by file name.
+    """Writes pictures of a model as PNG, and curves as SVG and PDF, to a folder. Returns the captions by file name.
 
-    baseline: the folder of another model to be seen beside. Pictures need a display (xvfb-run); only_curves needs none.
+    baseline: the folder of another model for comparison. Pictures need a display (xvfb-run); only_curves needs none.
     """
     return json.loads(_foramen.render(os.fspath(model), os.fspath(output), _path(baseline), only_curves))

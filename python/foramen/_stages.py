@@ -1,4 +1,4 @@
-"""From surfaces in memory to a model: the stages of a build as functions."""
+"""The stages of a build as functions, from surfaces in memory to a model."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ from ._options import given
 
 
 def named(shapes, names=None):
-    """(names, meshes) of a mapping from names to Mesh objects, or of a sequence of them."""
+    """The names and the meshes of a mapping from names to Mesh objects, or of a sequence of them."""
     if isinstance(shapes, Mapping):
         if names is not None:
             raise InvalidInput("names are given twice: the shapes are a mapping, which has names of its own")
@@ -34,7 +34,7 @@ def named(shapes, names=None):
 
 
 def given_shapes(shapes, names, threads):
-    """The shapes as the extension takes them."""
+    """The shapes in the form that the extension takes."""
     names, meshes = named(shapes, names)
     return _foramen.Shapes(names, [mesh.points for mesh in meshes], [mesh.triangles for mesh in meshes],
                            [mesh.space for mesh in meshes], threads, None)
@@ -44,9 +44,10 @@ def given_shapes(shapes, names, threads):
 class ShapeRegistration:
     """How a shape was brought into correspondence.
 
-    alignment (4, 4): shape -> reference; alignment_residual mm; mapped: whether it has a map (with method "icp" the
-    reference alone has); flipped triangles of the map, always 0; iterations; energies; distortion: mean of Degener's
-    energy, at least 4; agreement (2,) of the map's directions with the reference's, near 1; seconds.
+    alignment (4, 4): from the shape's coordinates to the reference's; alignment_residual [mm]; mapped: whether the
+    shape has a map (with method "icp", only the reference has one); flipped: flipped triangles of the map, always 0;
+    iterations; energies; distortion: mean of Degener's energy, at least 4; agreement (2,): agreement of the map's
+    directions with the reference's, near 1; seconds.
     """
 
     name: str
@@ -64,12 +65,11 @@ class ShapeRegistration:
 
 @dataclass
 class Correspondence:
-    """All shapes of a cohort brought into correspondence, made by correspond().
+    """The correspondence of all shapes of a cohort, made by correspond().
 
-    method; reference: the name of a shape; shapes: a ShapeRegistration each, in the order in which they were given;
-    failed and refused_references: (name, reason) of each shape that takes no part, or cannot be the reference;
-    template_motion: RMS motion of the mean from round to round [mm]; unexplained_shares and description_lengths of the
-    rounds.
+    method; reference: the name of a shape; shapes: one ShapeRegistration per shape, in the given order; failed and
+    refused_references: (name, reason) of each shape that is left out, or that cannot be the reference; template_motion:
+    RMS motion of the mean in each round [mm]; unexplained_shares and description_lengths: one per round.
     """
 
     method: str
@@ -87,7 +87,7 @@ class Correspondence:
 
     @property
     def names(self):
-        """The names of the shapes that take part."""
+        """The names of the shapes in the correspondence."""
         return [shape.name for shape in self.shapes]
 
 
@@ -96,8 +96,8 @@ class Landmarks:
     """Landmarks on all N shapes of a correspondence, made by place_landmarks().
 
     names; points (N, P, 3) on each surface, in its own coordinates, mm; triangles (T, 3) of all shapes; turns (P, 2):
-    places on the torus; inserted: landmarks added to the budget; remaining_flips and remaining_self_intersections: what
-    could not be mended.
+    torus positions; inserted: number of landmarks added to correct triangles; remaining_flips and
+    remaining_self_intersections: defects that could not be corrected.
     """
 
     names: list
@@ -111,12 +111,12 @@ class Landmarks:
 
 def correspond(shapes, *, names=None, method=None, objective=None, rounds=None, distortion=None, bending=None, reference=None,
                lambda_=None, paper=False, initial_map=None, optimiser=None, options=None, threads=0, progress=None):
-    """Brings surfaces into correspondence: a Correspondence.
+    """Brings surfaces into correspondence. The result is a Correspondence.
 
-    shapes: a sequence of Mesh objects, closed, of genus 1, in mm, or a mapping from names to them; names: of a sequence,
-    by default shape001 and so on. A shape that cannot be used is left out, with the reason in `failed`.
+    shapes: a sequence of Mesh objects, closed, of genus 1, in mm, or a mapping from names to them; names: of a
+    sequence, by default shape001 and so on. A shape that cannot be used is left out, with the reason in `failed`.
 
-    Keywords are those of build(); options: a dict for all others, see list_options("correspond").
+    Keywords are those of build(); options: a dict of all other options, see list_options("correspond").
     """
     chosen = given(method=method, objective=objective, rounds=rounds, distortion=distortion, bending=bending,
                    reference=reference, lambda_=lambda_, paper=paper, initial_map=initial_map, optimiser=optimiser)
@@ -134,9 +134,9 @@ def _made_of(correspondence):
 
 def place_landmarks(shapes, correspondence, *, names=None, landmarks=None, target_error=None, seed=None, scale=None,
                     options=None, threads=0, progress=None):
-    """Landmarks, chosen on the mean of all shapes and placed on every one: a Landmarks.
+    """Chooses landmarks on the mean of all shapes and places them on every shape. The result is a Landmarks.
 
-    shapes: those of the correspondence, under the same names. options: see list_options("place_landmarks").
+    shapes: the shapes of the correspondence, under the same names. options: see list_options("place_landmarks").
     """
     chosen = given(landmarks=landmarks, target_error=target_error, seed=seed, scale=scale)
     return Landmarks(**_foramen.place_landmarks(given_shapes(shapes, names, threads), _made_of(correspondence), chosen,
@@ -146,13 +146,16 @@ def place_landmarks(shapes, correspondence, *, names=None, landmarks=None, targe
 def build_model(shapes, *, names=None, correspondence=None, method=None, objective=None, rounds=None, distortion=None,
                 bending=None, reference=None, lambda_=None, landmarks=None, target_error=None, seed=None, scale=None,
                 weights=None, paper=False, initial_map=None, optimiser=None, options=None, threads=0, progress=None):
-    """A Model of surfaces in memory, with the numbers that build() writes of the same surfaces in the order of their names.
+    """Builds a Model from surfaces in memory.
 
-    shapes: a sequence of Mesh objects, closed, of genus 1, in mm, or a mapping from names to them; names: of a sequence,
-    by default shape001 and so on. correspondence: of these shapes, if there is one already. Shapes left out are in
-    `model.correspondence.failed`.
+    Its numbers are those that build() writes for the same surfaces in the order of their names.
 
-    Keywords are those of build(), with the same defaults; options: a dict for all others, see list_options("build_model").
+    shapes: a sequence of Mesh objects, closed, of genus 1, in mm, or a mapping from names to them; names: of a
+    sequence, by default shape001 and so on. correspondence: the Correspondence of these shapes, if it has already been
+    computed. Shapes that are left out are listed in `model.correspondence.failed`.
+
+    Keywords are those of build(), with the same defaults; options: a dict of all other options, see
+    list_options("build_model").
     """
     from ._model import Model
 

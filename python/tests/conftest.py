@@ -20,7 +20,7 @@ def cohort(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def built(cohort, tmp_path_factory):
-    """(folder of the model, summary, what progress was called with)."""
+    """The folder of the model, the summary, and the arguments with which progress was called."""
     folder = tmp_path_factory.mktemp("built") / "model"
     calls = []
     summary = foramen.build(cohort / "shapes", folder, landmarks=400, samples=20, truth=cohort / "truth",

@@ -1,4 +1,4 @@
-"""The program beside which the package is held, and what it writes."""
+"""Runs the program with which the package is compared, and reads its files."""
 
 import os
 import subprocess
@@ -7,7 +7,7 @@ import numpy as np
 
 
 def run_program(*arguments):
-    """The finished process; its exit code and what it printed are looked at by the test."""
+    """Runs the program and returns the finished process. The test checks its exit code and output."""
     return subprocess.run([os.environ["FORAMEN_PROGRAM"], *map(os.fspath, arguments)], capture_output=True, text=True)
 
 

@@ -56,6 +56,10 @@ def test_errors_are_those_of_the_library(tmp_path, torus):
         foramen.read_mesh(tmp_path / "no.ply")
     with pytest.raises(foramen.InvalidInput, match=r"\(P, 3\)"):
         foramen.inspect(foramen.Mesh(np.zeros((4, 2)), torus.triangles))
+    with pytest.raises(foramen.InvalidInput, match=r"probably in cm, give this unit \(units='cm' of files; a Mesh is in mm\)"):
+        foramen.correspond([foramen.Mesh(torus.points / 10, torus.triangles)], names=["small"])
+    with pytest.raises(foramen.IoError, match=r"there is no such model; build it \(foramen.build\(\)\)"):
+        foramen.Model.load(tmp_path / "none")
     with pytest.raises(foramen.InvalidInput, match="LPS or RAS"):
         foramen.write_mesh(tmp_path / "a.ply", foramen.Mesh(torus.points, torus.triangles, "XYZ"))
     with pytest.raises(foramen.InvalidInput):

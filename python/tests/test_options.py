@@ -11,7 +11,7 @@ from foramen import _foramen
 
 FUNCTIONS = ["correspond", "place_landmarks", "build_model", "evaluate", "complete", "repair", "build"]
 
-# What the package had before it could build in memory: names stay.
+# The names of the package in earlier versions, which must remain.
 NAMES = ["Cancelled", "Completion", "ConvergenceError", "Error", "InvalidInput", "IoError", "Measures", "Mesh", "Model",
          "Projection", "Repaired", "TopologyError", "build", "compare", "convert", "evaluate", "extract", "inspect",
          "read_mesh", "render", "repair", "report", "surface_distance", "synth", "write_mesh"]

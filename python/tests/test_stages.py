@@ -1,4 +1,4 @@
-"""The stages in memory give the numbers of the program's files."""
+"""The stages in memory give the same numbers as the program's files."""
 
 import json
 import subprocess
@@ -42,11 +42,11 @@ def model(shapes):
 
 
 def is_as_written(model, folder):
-    """Whether a model in memory has the numbers of a model's folder, which holds single precision."""
+    """Whether a model in memory has the numbers in a model's folder, which are stored in single precision."""
     read = foramen.Model.load(folder)
     assert np.array_equal(model.mean.astype(np.float32), foramen.read_mesh(folder / "mean.ply").points)
     assert np.array_equal(model.triangles, read.triangles) and model.names == read.names and model.space == read.space
-    if model.landmark_weights == "equal":  # model.h5 has the modes of equal weights
+    if model.landmark_weights == "equal":  # model.h5 contains modes for equal weights
         assert np.array_equal(model.variance.astype(np.float32), read.variance)
         assert np.array_equal(model.basis.astype(np.float32), read.basis)
     scores = np.loadtxt(folder / "scores.csv", delimiter=",", skiprows=1, usecols=range(1, model.modes + 1))
@@ -162,7 +162,7 @@ def test_a_model_in_memory_is_used_as_one_of_a_folder(built, model, shapes):
     of_folder = foramen.Model.load(built[0])
     surface = shapes["synth002"]
     found, expected = model.project(surface), of_folder.project(surface)
-    apart = np.linalg.norm(found.points - expected.points, axis=1)  # files hold single precision
+    apart = np.linalg.norm(found.points - expected.points, axis=1)  # files have single precision
     assert apart.mean() < 0.05, apart.mean()
     assert np.linalg.norm(model.scores - found.scores, axis=1).argmin() == 1
     keep = (surface.points[surface.triangles][:, :, 0] < np.median(surface.points[:, 0])).all(axis=1)

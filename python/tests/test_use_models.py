@@ -1,4 +1,4 @@
-"""A model in use: each verb gives what the program writes for the same input."""
+"""Using a model: each function gives the numbers that the program writes for the same input."""
 
 import csv
 import json
@@ -24,7 +24,7 @@ def model(built):
 
 @pytest.fixture(scope="module")
 def surface(cohort, tmp_path_factory):
-    """(file, Mesh) of a training shape in another pose, under another name."""
+    """The file and the Mesh of a training shape in another pose and with another name."""
     mesh = foramen.read_mesh(cohort / "shapes" / "synth002.ply")
     mesh.points = mesh.points @ np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1]]).T + [40, -30, 200]
     path = tmp_path_factory.mktemp("surface") / "moved.ply"
@@ -34,7 +34,7 @@ def surface(cohort, tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def part(surface, tmp_path_factory):
-    """(file, Mesh) of the half of it."""
+    """The file and the Mesh of one half of this shape."""
     mesh = surface[1]
     keep = (mesh.points[mesh.triangles][:, :, 0] < np.median(mesh.points[:, 0])).all(axis=1)
     path = tmp_path_factory.mktemp("part") / "part.ply"
@@ -50,7 +50,7 @@ def projection(model, surface):
 
 
 def ran_meanwhile(work):
-    """How often another thread ran while `work` did."""
+    """The number of times that another thread ran during `work`."""
     times, done = [], threading.Event()
 
     def tick():
@@ -64,7 +64,7 @@ def ran_meanwhile(work):
     end = time.monotonic()
     done.set()
     ticker.join()
-    # Not at the ends, where the interpreter itself changes threads.
+    # The beginning and the end are not counted, because the interpreter itself changes threads there.
     margin = (end - start) / 4
     return sum(start + margin < t < end - margin for t in times)
 

@@ -1,7 +1,4 @@
 #include "foramen/apply/complete_surface.hpp"
-#include "match/oriented_points.hpp"
-#include "match/vertex_matches.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,16 +10,21 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "match/oriented_points.hpp"
+#include "match/vertex_matches.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 namespace {
 
 constexpr int targets_on_part = 10000;
 constexpr std::uint64_t sample_seed = 1, target_seed = 2;
-// The pose about the last one: wide beside what an iteration moves.
+// Standard deviations of the pose relative to the previous one; large compared with the motion in one
+// iteration.
 constexpr double shift_mm = 10, turn_rad = 0.3, log_size = 0.1;
 
-// The fit of the modes, from coarse to fine, then with the smooth part as well.
+// The noise levels and iterations of the fit: first the modes only, from coarse to fine, then with the smooth
+// part.
 constexpr double coarse_noise_mm[] = {4, 2, 1};
 constexpr int coarse_iterations = 6, fine_iterations = 8, smooth_iterations = 6;
 
@@ -34,13 +36,13 @@ OrientedPoint moved(const OrientedPoint& p, const SimilarityTransform& by) {
   return {by(p.position), by.rotation * p.normal, p.at_border};
 }
 
-/// Where the fit is: the pose, and the shape in model coordinates.
+/// The state of the fit: the pose, and the shape in model coordinates.
 struct State {
   SimilarityTransform to_model;
   Eigen::VectorXd shape;
 };
 
-/// One set of matches, and what follows from it.
+/// One set of matches and the observations that follow from it.
 struct Matches {
   std::vector<LandmarkObservation> observations;
   std::vector<bool> seen;    // per landmark
@@ -56,7 +58,7 @@ class PartFit {
         targets_(oriented_samples(part, targets_on_part, target_seed), options.match.normal_weight),
         area_per_sample_(total_area(part) / options.match.samples) {}
 
-  /// From one pose, the modes alone.
+  /// Fits the modes only, starting from one pose.
   State fit_from(const RigidTransform& pose, const ShapeDistribution& modes, const RunContext& ctx) const {
     State state{{1, pose.linear(), pose.translation()}, modes.mean};
     for (const double noise : coarse_noise_mm)
@@ -80,7 +82,7 @@ class PartFit {
     return state;
   }
 
-  /// The end of the fit: the distribution in the part's coordinates.
+  /// The final distribution in the coordinates of the part.
   CompletedSurface finished(const State& state, const ShapeDistribution& prior) const {
     const ShapeDistribution all = with_columns(prior, pose_columns(state.shape));
     const Matches found = matches(state, options_.noise_mm);
@@ -98,7 +100,7 @@ class PartFit {
     return result;
   }
 
-  /// Mean distance of the part's samples to a shape, mm.
+  /// Mean distance of the samples of the part to the shape, mm.
   double distance(const State& state) const {
     const TriangleTree tree(mean_mesh_.with_positions(unflattened(state.shape)));
     double sum = 0;
@@ -112,8 +114,8 @@ class PartFit {
     return Eigen::Map<const Eigen::Matrix3Xd>(shape.data(), 3, shape.size() / 3).rowwise().mean();
   }
 
-  /// Translation, rotation about the centroid, and with ScaleMode::remove size, times their prior's
-  /// deviation.
+  /// Columns for translation, rotation about the centroid and, with ScaleMode::remove, size, each times the
+  /// standard deviation of its prior.
   Eigen::MatrixXd pose_columns(const Eigen::VectorXd& shape) const {
     const Vec3 centre = centroid(shape);
     Eigen::MatrixXd columns(shape.size(), options_.scale == ScaleMode::remove ? 7 : 6);
@@ -127,7 +129,7 @@ class PartFit {
     return columns;
   }
 
-  /// The motion of the model that those columns stand for.
+  /// The motion of the model for coefficients of these columns.
   static SimilarityTransform motion(const Eigen::VectorXd& pose, const Vec3& centre) {
     SimilarityTransform result;
     if (pose.size() == 7) result.scale = std::exp(log_size * pose[6]);
@@ -142,7 +144,8 @@ class PartFit {
     const Mesh shape = mean_mesh_.with_positions(unflattened(state.shape));
     const IndexedPoints landmarks(oriented_vertices(shape), options_.match.normal_weight);
     std::vector<VertexMatch> all = matches_of_samples(landmarks, state.to_model);
-    // Landmarks that the part does not show are far from it: the median of all matches would be too large.
+    // The cut uses the matches of the part's samples only. Landmarks that the part does not contain are far
+    // from it, so the median of all matches would be too large.
     const MatchScale scale{.noise_mm = noise, .cut_mm = match_cut(all, options_.match)};
     const auto taken = [&](const VertexMatch& m) { return m.distance < scale.cut_mm; };
     Matches result;
@@ -161,7 +164,7 @@ class PartFit {
     return result;
   }
 
-  /// In model coordinates, as those of the landmarks.
+  /// The matches of the part's samples, in model coordinates.
   std::vector<VertexMatch> matches_of_samples(const IndexedPoints& landmarks,
                                               const SimilarityTransform& to_model) const {
     std::vector<VertexMatch> matches;

@@ -13,7 +13,7 @@
 namespace foramen {
 namespace {
 
-/// Sets of corners that are one vertex.
+/// Sets of triangle corners that form one vertex.
 class CornerSets {
  public:
   explicit CornerSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
@@ -51,7 +51,7 @@ Mesh part_surface(const TriangleSoup& soup) {
   check(soup);
   std::vector<std::array<int, 3>> triangles = with_area(soup);
   if (triangles.empty()) throw InvalidInput("it has no triangle with an area; give a surface");
-  // Corners at one vertex belong together if their triangles share an edge there.
+  // Two corners at a vertex are joined if their triangles share an edge at it.
   CornerSets sets(3 * triangles.size());
   std::map<std::pair<int, int>, std::array<std::size_t, 2>> edges;  // from, to -> corners at from, to
   for (std::size_t f = 0; f < triangles.size(); ++f)
@@ -65,7 +65,7 @@ Mesh part_surface(const TriangleSoup& soup) {
       sets.join(corners[1], twin->second[0]);
     }
   TriangleSoup part;
-  std::map<std::size_t, int> vertex;  // of a set
+  std::map<std::size_t, int> vertex;  // vertex of each set
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     std::array<int, 3> corners{};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,16 +1,16 @@
 #pragma once
 /// \file
-/// A mesh of a part of a surface, as it was cut or segmented.
+/// The mesh of a part of a surface, for example of a cut or partial segmentation.
 
 #include "foramen/core/mesh.hpp"
 
 namespace foramen {
 
-/// The triangles as a manifold mesh, usually open: triangles without area are dropped, vertices that no
-/// triangle uses too, and where triangles do not form one sheet they are taken apart. A vertex whose
-/// triangles form several fans becomes several vertices at its place; of more than two triangles at an edge,
-/// or two of the same direction, two that fit together stay joined. Throws InvalidInput where no triangle is
-/// left or one uses a vertex that is not there.
+/// Makes a manifold mesh, usually open, from triangles. Triangles of zero area and unused vertices are
+/// dropped, and triangles that do not form one sheet are separated: a vertex whose triangles form several
+/// fans is duplicated; at an edge with more than two triangles, or with two of the same direction, two
+/// triangles that fit together stay connected. Throws InvalidInput if no triangle is left or a triangle uses
+/// a vertex that does not exist.
 Mesh part_surface(const TriangleSoup& soup);
 
 }  // namespace foramen

@@ -10,7 +10,7 @@
 namespace foramen {
 namespace {
 
-// What all observations of a landmark say together.
+// All observations of one landmark combined.
 struct Seen {
   Mat3 precision = Mat3::Zero();
   Vec3 pull = Vec3::Zero();  // sum of precision (place - mean)

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The distribution of shapes given noisy places of some landmarks.
+/// The posterior distribution of shapes given noisy positions of some landmarks.
 
 #include <span>
 
@@ -8,31 +8,32 @@
 
 namespace foramen {
 
-/// Where a landmark was seen: place = x_landmark + error, error ~ N(0, precision^-1). A precision that is
-/// singular (in a plane, say) leaves those directions unseen.
+/// A noisy observation of a landmark: place = x_landmark + error with error ~ N(0, precision^-1). The
+/// precision may be singular; its null space is not observed, for example the directions in a plane.
 struct LandmarkObservation {
   int landmark = 0;
   Vec3 place = Vec3::Zero();
   Mat3 precision = Mat3::Zero();  ///< mm^-2, symmetric, positive semi-definite
 };
 
-/// The coefficients a given what was seen: a ~ N(mean, spread spread^T).
+/// The posterior of the coefficients: a ~ N(mean, spread spread^T).
 struct PosteriorCoefficients {
   Eigen::VectorXd mean;    ///< K
   Eigen::MatrixXd spread;  ///< K x K
 };
 
-/// The posterior of x = m + F a, a ~ N(0, I), \cite albrecht2013 Section 3, with an error of its own for
-/// every observation o in place of one sigma: with F_o the three rows of its landmark and W_o its precision,
+/// The posterior of x = m + F a with a ~ N(0, I) after \cite albrecht2013, Section 3, but with an own
+/// precision W_o for every observation o instead of one sigma. With the three rows F_o of its landmark it is
 ///
 ///     M = I + sum_o F_o^T W_o F_o,   E[a] = M^-1 sum_o F_o^T W_o (place_o - m_o),   Cov[a] = M^-1.
 ///
-/// For W = I / sigma^2 that is the paper's M = Q^T Q + sigma^2 I up to the factor sigma^2. A landmark may be
-/// seen any number of times. No observation: the prior. Throws InvalidInput for a landmark that is not there.
+/// For W = I / sigma^2 this equals M = Q^T Q + sigma^2 I of the paper up to the factor sigma^2. A landmark
+/// may be observed any number of times. Without observations the result is the prior. Throws InvalidInput for
+/// a landmark that does not exist.
 PosteriorCoefficients posterior_coefficients(const ShapeDistribution& prior,
                                              std::span<const LandmarkObservation> observations);
 
-/// The shapes of those coefficients: mean m + F E[a], factor F spread.
+/// The distribution of shapes for these coefficients: mean m + F E[a], factor F spread.
 ShapeDistribution posterior(const ShapeDistribution& prior, const PosteriorCoefficients& coefficients);
 
 }  // namespace foramen

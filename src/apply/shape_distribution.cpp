@@ -1,6 +1,4 @@
 #include "foramen/apply/shape_distribution.hpp"
-#include "foramen/match/bending_options.hpp"
-#include "match/smooth_displacements.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,12 +7,14 @@
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/error.hpp"
+#include "foramen/match/bending_options.hpp"
+#include "match/smooth_displacements.hpp"
 
 namespace foramen {
 namespace {
 
-constexpr double smallest_share = 1e-6;       // of the total variance that a mode is kept for
-constexpr Eigen::Index linear_functions = 4;  // a constant and three linear ones come first
+constexpr double smallest_share = 1e-6;       // least share of the total variance of a mode that is kept
+constexpr Eigen::Index linear_functions = 4;  // the first functions are a constant and three linear ones
 
 }  // namespace
 

@@ -2,7 +2,14 @@
 
 #include <string>
 
-namespace foramen::detail {
+namespace foramen {
+
+Message message_of(const std::exception& error) {
+  const auto* ours = dynamic_cast<const Error*>(&error);
+  return {error.what(), ours != nullptr ? ours->remedies() : std::vector<Remedy>()};
+}
+
+namespace detail {
 
 void assertion_failed(const char* condition, const char* file, int line) {
   const std::string path = file;
@@ -11,4 +18,5 @@ void assertion_failed(const char* condition, const char* file, int line) {
                       name + ":" + std::to_string(line));
 }
 
-}  // namespace foramen::detail
+}  // namespace detail
+}  // namespace foramen

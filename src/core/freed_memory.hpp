@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// Memory that was freed and is still the process's.
+/// Returns freed memory to the operating system.
 
 namespace foramen {
 
-/// Gives it back to the system where the C library can (glibc); changes nothing else. For the end of a stage:
-/// what the next one takes is laid out otherwise, and the allocator keeps the holes between what still lives.
+/// Returns the memory that the allocator holds in reserve to the operating system, if the C library can do so
+/// (glibc). Called at the end of a stage, because the next stage allocates blocks of other sizes and cannot
+/// use the gaps that the allocator would otherwise keep.
 void return_freed_memory();
 
 }  // namespace foramen

@@ -75,7 +75,7 @@ Mesh build_mesh(TriangleSoup soup) {
     i = end;
   }
 
-  // One outgoing halfedge per vertex: where there is a boundary, the one without twin, since rotating
+  // One outgoing halfedge per vertex. At a boundary vertex it is the one without twin, because rotating
   // counter-clockwise from it reaches the whole fan.
   std::vector<int> degree(soup.points.size(), 0);
   c.vertex_halfedge.resize(soup.points.size());

@@ -18,7 +18,8 @@
 namespace foramen {
 namespace {
 
-// Keeps the exception of the smallest index, so that the error a user sees does not depend on timing.
+// Of all exceptions that were thrown, keeps the one of the smallest index. Items that begin after the first
+// exception are skipped.
 class FirstError {
  public:
   void run(int index, const std::function<void(int)>& body) {
@@ -58,7 +59,7 @@ void parallel_for(int count, const RunContext& ctx, const std::function<void(int
     first_error.rethrow();
     return;
   }
-#ifdef FORAMEN_STD_THREADS  // TBB's own library is not instrumented for the thread sanitizer
+#ifdef FORAMEN_STD_THREADS  // the library of TBB is not instrumented for the thread sanitizer
   std::atomic<int> next{0};
   std::vector<std::thread> workers;
   for (int t = 0; t < ctx.threads(); ++t)

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Loops over independent items. Results must be written per item; any reduction is done afterwards, in
-/// order, so that the number of threads never changes a bit of the result.
+/// Parallel loops over independent items. Each call of the body writes only the result of its own item, and
+/// the caller reduces the results afterwards in order, so the result does not depend on the number of
+/// threads.
 
 #include <functional>
 
@@ -9,9 +10,9 @@
 
 namespace foramen {
 
-/// Calls body(0) .. body(count-1), in any order, on at most ctx.threads() threads. Checks for cancellation
-/// between items. If bodies throw, the exception of the smallest such index that ran is thrown on; others may
-/// not run.
+/// Calls body(0) .. body(count-1) in any order on at most ctx.threads() threads and checks for cancellation
+/// between items. If a body throws, items that have not begun may be left out; of all exceptions thrown, the
+/// one of the smallest index is rethrown.
 void parallel_for(int count, const RunContext& ctx, const std::function<void(int)>& body);
 
 }  // namespace foramen

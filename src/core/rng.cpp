@@ -8,7 +8,7 @@
 namespace foramen {
 namespace {
 
-// SplitMix64's finaliser: neighbouring seeds give unrelated streams.
+// The finaliser of SplitMix64. It makes the streams of neighbouring seeds independent.
 std::uint64_t mix(std::uint64_t x) {
   x += 0x9e3779b97f4a7c15ULL;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;

@@ -24,7 +24,7 @@ void check(const Mesh& surface, const Eigen::MatrixXd& functions,
   check_options("cohort_priors", options);
 }
 
-// A column of 3 R coefficients per shape: ridge regression of its displacements.
+// The coefficients of the displacements of all shapes by ridge regression, one column of 3 R per shape.
 Eigen::MatrixXd coefficients_of(const Mesh& surface, const Eigen::MatrixXd& functions,
                                 std::span<const std::vector<Vec3>> corresponding,
                                 const CohortPriorOptions& options) {
@@ -48,7 +48,7 @@ Eigen::MatrixXd coefficients_of(const Mesh& surface, const Eigen::MatrixXd& func
   return coefficients;
 }
 
-// Mean and covariance of some columns.
+// The normal distribution with the mean and the covariance of the columns.
 DisplacementPrior distribution_of(Eigen::MatrixXd columns) {
   DisplacementPrior prior;
   prior.mean = columns.rowwise().mean();

@@ -1,8 +1,4 @@
 #include "foramen/correspond/correspond.hpp"
-#include "correspond/register_group.hpp"
-#include "correspond/register_shape.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -13,37 +9,36 @@
 #include <utility>
 
 #include "core/freed_memory.hpp"
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
+#include "correspond/register_group.hpp"
+#include "correspond/register_shape.hpp"
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/stage_store.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "match/robust_weight.hpp"
 
 namespace foramen {
 namespace {
 
-// The search for a reference's loops takes seconds at this size and grows with more than the power 3/2 of it.
+// The search for the loops of a reference takes seconds at this size and grows faster than its power 3/2.
 constexpr int large_reference_vertices = 100000;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 void require_enough(std::size_t usable, std::span<const FailedShape> failed) {
   if (usable >= fewest_shapes) return;
-  std::string message = "a model needs at least " + std::to_string(fewest_shapes) + " usable shapes, found " +
-                        std::to_string(usable);
-  for (const FailedShape& shape : failed) message += "\n  left out " + shape.name + ": " + shape.reason;
+  Message message("a model needs at least " + std::to_string(fewest_shapes) + " usable shapes, found " +
+                  std::to_string(usable));
+  for (const FailedShape& shape : failed) message.append(shape.reason.about("\n  left out " + shape.name));
   throw TooFewShapes(message);
 }
 
-// Those to try, in order.
+// The shapes to try as reference, in order.
 std::vector<int> reference_candidates(std::span<const Shape> shapes, const std::string& name) {
   if (name == "auto") return rank_references(shapes);
   for (std::size_t i = 0; i < shapes.size(); ++i)
@@ -58,8 +53,8 @@ struct MappedReference {
   std::vector<FailedShape> refused;
 };
 
-// The first candidate that can be mapped. A surface that is usable as such may be too ragged for a map, and
-// the cohort must not fail for it.
+// The first candidate that can be mapped. A valid surface may be too rough for a map, and this must not make
+// the whole cohort fail.
 MappedReference map_first_reference(std::span<const Shape> shapes, const CorrespondOptions& options,
                                     const RunContext& ctx) {
   MappedReference found;
@@ -67,17 +62,17 @@ MappedReference map_first_reference(std::span<const Shape> shapes, const Corresp
     const Shape& shape = shapes[candidate];
     try {
       RegisterOptions how = options.registration;
-      how.neighbours = {};  // of no effect on the reference
+      how.neighbours = {};  // they do not affect the reference
       found.reference = kept<Reference>(ctx, StageKey(ctx, "reference", shape.mesh, how),
                                         [&] { return map_reference(shape.mesh, ctx, how); });
       found.shape = candidate;
       return found;
     } catch (const ConvergenceError& e) {
-      found.refused.push_back({shape.name, e.what()});
+      found.refused.push_back({shape.name, message_of(e)});
     }
   }
   const FailedShape& last = found.refused.back();
-  throw ConvergenceError(last.name + " cannot be the reference: " + last.reason);
+  throw ConvergenceError(last.reason.about(last.name + " cannot be the reference"));
 }
 
 RegisteredShape reference_itself(const Reference& reference) {
@@ -96,12 +91,13 @@ RegisteredShape only_aligned(const Mesh& shape, const Reference& reference, cons
   return result;
 }
 
-// Each shape with the reference, by itself.
+// Registers each shape with the reference, independently of the others.
 GroupRegistration register_each(std::span<const Shape> shapes, const MappedReference& mapped,
                                 const CorrespondOptions& options, const RunContext& ctx) {
   GroupRegistration result;
   result.members.resize(shapes.size());
-  // A thread pool inside a thread pool gains nothing here, and one shape at a time keeps the memory low.
+  // Each shape is registered on one thread: nested parallel loops would not be faster, and this needs less
+  // memory.
   const RunContext single = ctx.with_threads(1);
   const StageKey to_reference(ctx, "mapped reference", mapped.reference);
   std::atomic<int> done{0};
@@ -122,8 +118,8 @@ GroupRegistration register_each(std::span<const Shape> shapes, const MappedRefer
             [&] { return register_shape(shape.mesh, mapped.reference, single, options.registration); });
     } catch (const Cancelled&) {
       throw;
-    } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      member.failure = e.what();
+    } catch (const std::exception& e) {  // a defect of foramen must not affect the other shapes either
+      member.failure = message_of(e);
     }
     member.seconds = seconds_since(start);
     ctx.step("register", static_cast<double>(++done) / static_cast<double>(shapes.size()), shape.name);
@@ -168,7 +164,7 @@ std::vector<int> rank_references(std::span<const Shape> shapes) {
     areas.push_back(std::log(total_area(shape.mesh)));
     volumes.push_back(std::log(signed_volume(shape.mesh)));
   }
-  const double area = median(areas), volume = median(volumes);
+  const double area = upper_median(areas), volume = upper_median(volumes);
   std::vector<std::tuple<bool, double, int>> deviations;
   for (std::size_t i = 0; i < shapes.size(); ++i)
     deviations.emplace_back(shapes[i].mesh.vertex_count() > large_reference_vertices,
@@ -189,11 +185,12 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
   return_freed_memory();
   const double reference_seconds = seconds_since(start);
   GroupRegistration group = register_all(shapes, mapped, options, ctx);
-  const std::string& reference_failure = group.members[mapped.shape].failure;
-  if (!reference_failure.empty())
+  const Message& reference_failure = group.members[mapped.shape].failure;
+  if (!reference_failure.text.empty())
     throw ConvergenceError("the reference " + shapes[mapped.shape].name +
-                           " cannot be registered with the mean of all shapes (" + reference_failure +
-                           "); name another reference");
+                               " cannot be registered with the mean of all shapes (" +
+                               reference_failure.text + "); name another reference",
+                           reference_failure.remedies);
 
   Correspondence result;
   CohortRegistration& cohort = result.registration;

@@ -24,7 +24,7 @@ void check(const std::vector<std::vector<Vec3>>& aligned, std::span<const double
   check_options("description_length", options);
 }
 
-// Deviations from the mean times the square roots of the weights, a column per shape.
+// Deviations from the mean times the square roots of the weights, one column per shape.
 Eigen::MatrixXd weighted_deviations(const std::vector<std::vector<Vec3>>& aligned,
                                     const Eigen::VectorXd& roots) {
   const auto points = static_cast<Eigen::Index>(roots.size());
@@ -49,7 +49,8 @@ DescriptionLength description_length(const std::vector<std::vector<Vec3>>& align
   const Eigen::MatrixXd x = weighted_deviations(aligned, roots);
   const double divisor = static_cast<double>(shapes - 1), cut = options.cut_mm2;
 
-  // Modes by the Gram matrix: x = U S V^T. A function of the covariance acts on x by one of the shapes.
+  // The modes come from the Gram matrix: for x = U S V^T, a function of the covariance times x equals x times
+  // the same function of the Gram matrix.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(x.transpose() * x / divisor);
   DescriptionLength result;
   Eigen::VectorXd slopes(shapes);  // dL/dlambda

@@ -1,15 +1,15 @@
 #include "correspond/first_map.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "topology/periods.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "match/oriented_points.hpp"
 #include "parameterize/initial_map.hpp"
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A shape's first map to the torus, in the reference's basis of loops and in its place.
+/// The first map of a shape to the torus, in the basis of loops and at the position of the reference's map.
 
 #include "correspond/propagate_loops.hpp"
 #include "correspond/transfer_homology.hpp"
@@ -11,20 +11,25 @@
 
 namespace foramen {
 
+/// A first map with the homology by which its loops were identified.
 struct FirstMap {
   TorusMap map;              ///< unit lattice, without flipped triangles
   Eigen::Matrix2i homology;  ///< A, see transfer_homology()
-  Eigen::Matrix2i seifert;   ///< of the shape's own loops
+  Eigen::Matrix2i seifert;   ///< Seifert matrix of the shape's own loops
 };
 
-/// Loops carried over, named by homology, checked by the Seifert test (TopologyError), and the map they give.
-/// \param carried  the shape where it is compared with the reference: aligned, or bent onto it as well
-/// \param embedded  the same mesh as it lies in space without intersecting itself, for linking numbers
+/// Transfers the loops of the reference to the shape (propagate_loops()), identifies them by homology
+/// (transfer_homology()), and computes the map that they give. Throws TopologyError if the Seifert test fails
+/// (seifert_test()).
+/// \param carried  the shape in the position in which it is compared with the reference: aligned, or also
+/// bent onto the reference
+/// \param embedded  the same mesh in a position without self-intersections, for linking numbers
 FirstMap first_map(const Mesh& carried, const Mesh& embedded, const ReferenceLoops& reference,
                    InitialMap initial_map, EdgeCost edge_cost);
 
-/// The whole map moved so that, on average, nearest neighbours have the same torus coordinates: by the
-/// area-weighted circular mean of their differences.
+/// Translates the map on the torus by the area-weighted circular mean of the differences between the torus
+/// coordinates of vertices and those of their nearest vertices on the reference, so that these differences
+/// are zero on average.
 TorusMap translated_onto(TorusMap map, const Mesh& carried, const Mesh& reference,
                          const TorusMap& reference_map);
 

@@ -1,18 +1,28 @@
 #include "correspond/map_steps.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+
 #include "correspond/first_map.hpp"
 #include "correspond/shape_map.hpp"
 #include "correspond/transfer_homology.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "parameterize/optimise_map.hpp"
-
-#include <utility>
-
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/topology/inspect_mesh.hpp"
+#include "parameterize/optimise_map.hpp"
 #include "parameterize/refine_map.hpp"
 
 namespace foramen {
+
+void require_genus_one(const Mesh& surface) {
+  const std::optional<int> genus = inspect_mesh(surface.soup()).genus;
+  if (!genus) throw TopologyError("the surface is not closed or not in one piece, so that it has no genus");
+  if (*genus != 1)
+    throw TopologyError("the surface has genus " + std::to_string(*genus) + "; it must have genus 1");
+}
 
 FirstMap placed_first_map(const Mesh& carried, const Mesh& embedded, const Reference& reference,
                           InitialMap initial_map, EdgeCost edge_cost) {

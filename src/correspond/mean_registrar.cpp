@@ -1,21 +1,22 @@
 #include "foramen/correspond/mean_registrar.hpp"
+
+#include <utility>
+
 #include "correspond/cohort_prior.hpp"
+#include "correspond/map_steps.hpp"
+#include "correspond/member_steps.hpp"
 #include "correspond/propagate_loops.hpp"
 #include "correspond/transfer_homology.hpp"
+#include "foramen/core/geometry.hpp"
 #include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "topology/periods.hpp"
 
-#include <utility>
-
-#include "correspond/member_steps.hpp"
-#include "foramen/core/geometry.hpp"
-
 namespace foramen {
 namespace {
 
-// Periods of the loops under the map's jumps, a column a loop.
+// The periods of the loops under the jumps of the map, one column per loop.
 Eigen::Matrix2i periods(const TorusMap& map, const LoopSystem& loops) {
   const Cocycle form{map.jumps};
   Eigen::Matrix2i result;
@@ -54,6 +55,7 @@ MeanRegistrar::MeanRegistrar(MeanRegistrar&&) noexcept = default;
 MeanRegistrar& MeanRegistrar::operator=(MeanRegistrar&&) noexcept = default;
 
 std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunContext& ctx) const {
+  require_genus_one(surface);
   const RunContext single = ctx.with_threads(1);
   const std::vector<Vec2>& landmarks = impl_->mean.surface.map.turns.values();
   const MemberSteps steps(impl_->reference, single, impl_->options);
@@ -61,7 +63,8 @@ std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunCont
   member.input = &surface;
   member.working = steps.simplified(surface);
   steps.begin(member, align(surface, impl_->reference.mesh(), single), impl_->mean, impl_->prior);
-  // Once more from where the map has the landmarks, aligned by them as the training shapes are.
+  // A round that starts from the landmarks that the map gives; the surface is aligned by them, as the
+  // training shapes are.
   steps.newcomer_round(member, landmarks, impl_->reference.mesh().positions(), impl_->mean, impl_->prior);
   steps.finish(member, impl_->mean);
   return lift_to_surface(TorusLocator(surface, member.result.shape_map.map), landmarks);

@@ -1,10 +1,10 @@
 #include "correspond/mean_template.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/curvature_density.hpp"
 #include "sampling/remesh.hpp"
 #include "sampling/torus_grid.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The mean of shapes mapped to one torus, as a template.
+/// The mean of shapes that are mapped to one torus, as a template.
 
 #include <span>
 #include <vector>
@@ -15,17 +15,21 @@
 
 namespace foramen {
 
-/// A surface by `vertices` points of it, spread by curvature (remesh()), with their map to the torus.
+/// Remeshes a surface to `vertices` vertices that are distributed by curvature (remesh()), with their map to
+/// the torus.
 TemplateSurface remeshed_template(const Mesh& surface, const TorusMap& map, int vertices,
                                   const RunContext& ctx);
 
+/// The mean of the shapes as a template.
 struct MeanTemplate {
-  TemplateSurface surface;                      ///< in the coordinates of the Procrustes mean
-  std::vector<SimilarityTransform> transforms;  ///< per shape: its own coordinates -> the mean's (scale 1)
-  std::vector<Vec3> grid;  ///< the mean at the points of the torus grid, always the same for one lattice
+  TemplateSurface surface;  ///< in the coordinates of the Procrustes mean
+  /// Per shape: maps its coordinates to those of the mean (scale 1).
+  std::vector<SimilarityTransform> transforms;
+  std::vector<Vec3> grid;  ///< the mean at the points of the torus grid, which depends on the lattice only
 };
 
-/// The Procrustes mean (sizes kept) of the shapes lifted from a uniform grid of the torus.
+/// Lifts the points of a uniform torus grid to all shapes and computes their Procrustes mean with
+/// ScaleMode::keep.
 MeanTemplate mean_template(std::span<const TorusLocator* const> shapes, const Lattice& lattice,
                            const RunContext& ctx, const TemplateOptions& options = {});
 

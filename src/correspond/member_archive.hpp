@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// Private to correspond: what is kept of a shape on its way, as bytes.
+/// Private to correspond: the state of a member of a group as bytes, for the store.
 
+#include "core/kept_results.hpp"
 #include "correspond/member_steps.hpp"
 #include "correspond/registered_archive.hpp"
-#include "foramen/core/stage_store.hpp"
 #include "parameterize/optimise_map.hpp"
 
 namespace foramen {

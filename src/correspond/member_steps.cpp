@@ -1,29 +1,29 @@
 #include "correspond/member_steps.hpp"
-#include "correspond/first_map.hpp"
-#include "correspond/register_shape.hpp"
-#include "correspond/shape_map.hpp"
-#include "correspond/surface_targets.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "foramen/match/bending_options.hpp"
-#include "match/deform_template.hpp"
-#include "match/smooth_displacements.hpp"
-#include "parameterize/optimise_map.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <optional>
 #include <utility>
 
 #include "correspond/description_objective.hpp"
+#include "correspond/first_map.hpp"
 #include "correspond/map_steps.hpp"
+#include "correspond/register_shape.hpp"
+#include "correspond/shape_map.hpp"
+#include "correspond/surface_targets.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/match/bending_options.hpp"
+#include "match/deform_template.hpp"
 #include "match/oriented_points.hpp"
+#include "match/smooth_displacements.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
 namespace {
 
-// Where the shape would lie if the bending were undone: every vertex moved back by the displacement of the
-// bent template's nearest vertex.
+// The shape with the bending of the template undone: every vertex is moved back by the displacement of the
+// nearest vertex of the bent template.
 Mesh bent_back(const Mesh& shape, const TemplateSurface& surface, const std::vector<Vec3>& bent) {
   const VertexMap<VertexId> near = nearest_vertices(shape, surface.mesh.with_positions(bent));
   std::vector<Vec3> positions;
@@ -73,7 +73,8 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   result.seifert = first.seifert;
   member.map.map = std::move(first.map);
   const auto targets = objective(member, aligned, to);
-  // The metric means nothing yet where the vertices are still far from their targets.
+  // The first optimisation measures distortion in the plane, because the metric of the template is not
+  // meaningful while the vertices are far from their targets.
   member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), targets.get());
   const double energy = member.map.initial_energy;
   improve(member, aligned, to);

@@ -1,15 +1,15 @@
 #pragma once
 /// \file
-/// The steps that register one shape of a group.
+/// The steps of the registration of one shape of a group.
 
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "core/kept_results.hpp"
 #include "correspond/register_group.hpp"
 #include "correspond/register_shape.hpp"
 #include "correspond/template_metric.hpp"
-#include "foramen/core/stage_store.hpp"
 #include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "foramen/match/bending_options.hpp"
@@ -18,7 +18,7 @@
 
 namespace foramen {
 
-/// A template with what every shape needs of it, made once a round.
+/// A template with the data that all shapes need, computed once per round.
 struct PreparedTemplate {
   TemplateSurface surface;
   TemplateMetric metric;
@@ -27,24 +27,25 @@ struct PreparedTemplate {
   PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options);
 };
 
-/// The state of a shape after a step. It is all that a store keeps of the step.
+/// The state of a shape after a step. This is what a store keeps of the step.
 struct MemberState {
   RegisteredShape result;
-  OptimisedMap map;  // of the working mesh
+  OptimisedMap map;  // map of the working mesh
   RigidTransform to_template = RigidTransform::Identity();
-  std::vector<Vec3> bent;  // the template's vertices on the shape, in template coordinates
+  std::vector<Vec3> bent;  // the vertices of the template bent onto the shape, in template coordinates
 };
 
-/// A shape on its way. Meshes in the shape's own coordinates.
+/// A shape during registration. Its meshes are in the coordinates of the shape.
 struct Member : MemberState {
   const Mesh* input = nullptr;
   WorkingMesh working;
-  StageKey made_from;           // the key of its present state
-  int place_in_priors = 0;      // of the group's CohortPriors
-  std::vector<Vec3> attractor;  // as bent, what the description length draws it to; empty: bent serves
+  StageKey made_from;       // the key of its present state
+  int place_in_priors = 0;  // index of the shape in the group's CohortPriors
+  // Attractor of the description length, like `bent`; empty if `bent` gives the targets.
+  std::vector<Vec3> attractor;
 };
 
-/// The motion of a fit that kept the scale.
+/// The rigid transform of a similarity of scale 1.
 RigidTransform rigid(const SimilarityTransform& transform);
 
 /// The steps of register_group() for one shape, on one thread. They know the other shapes only through the
@@ -55,12 +56,12 @@ class MemberSteps {
       : reference_(reference), single_(ctx.with_threads(1)), options_(options) {}
 
   WorkingMesh simplified(const Mesh& input) const;
-  /// Computes the first map, starting from the rigid alignment with the reference, and optimises it towards the
-  /// first template. \pre the working mesh is there
+  /// Computes the first map, starting from the rigid alignment with the reference, and optimises it towards
+  /// the first template. \pre member.working is set
   /// \param prior  of the template's displacement onto the shape; the smooth process by default
   void begin(Member& member, const Alignment& to_reference, const PreparedTemplate& to,
              const DisplacementPrior& prior = {}) const;
-  /// Places the vertices of another template on the shape, where the map has the corresponding points.
+  /// Places the vertices of another template at the corresponding points of the shape, which the map gives.
   /// \pre to_template is up to date
   void place(Member& member, const PreparedTemplate& to) const;
   /// Bends the template that was placed and optimises the map again.
@@ -70,7 +71,7 @@ class MemberSteps {
   /// those of the template; then the template is placed and bent, and the map optimised again.
   void newcomer_round(Member& member, std::span<const Vec2> turns, std::span<const Vec3> on_template,
                       const PreparedTemplate& to, const DisplacementPrior& prior) const;
-  /// Optimises the map alone, towards the template as it was bent last, or towards the attractor.
+  /// Optimises the map only, towards the template as it was bent last or towards the attractor.
   void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
   /// Carries the map from the working mesh to the input mesh, with all checks, and fills the result.
   void finish(Member& member, const PreparedTemplate& to) const;
@@ -80,7 +81,7 @@ class MemberSteps {
   std::vector<Vec3> bent_onto(const Mesh& aligned, const PreparedTemplate& to,
                               const DeformTemplateOptions& how, std::span<const Vec3> start,
                               const DisplacementPrior& prior) const;
-  /// With the distortion measured where the options say.
+  /// Optimises a map, with the distortion measured as options.distortion says.
   OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
                          const CorrespondenceObjective& pull) const;
   std::unique_ptr<CorrespondenceObjective> objective(const Member& member, const Mesh& aligned,

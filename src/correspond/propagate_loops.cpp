@@ -12,7 +12,7 @@
 namespace foramen {
 namespace {
 
-// Keeps the length-weighted cost positive on the loops themselves.
+// Keeps the length-weighted cost of edges on the reference loops positive.
 constexpr double smallest_distance_mm = 0.5;
 
 EdgeLoop reversed_loop(const Mesh& mesh, const EdgeLoop& loop) {
@@ -22,7 +22,7 @@ EdgeLoop reversed_loop(const Mesh& mesh, const EdgeLoop& loop) {
   return back;
 }
 
-// Twice the area, in turns, that a map with these periods covers: +2 or -2 for a basis, exactly.
+// Twice the signed area in squared turns that a map with these periods covers: exactly +2 or -2 for a basis.
 int doubled_area_in_turns(const Mesh& mesh, const Cocycle& form) {
   int sum = 0;
   for (FaceId f : mesh.faces()) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The reference's basepoint and loops carried to an aligned shape, the paper's way.
+/// Transfer of the reference's basepoint and loops to an aligned shape, as in the paper.
 
 #include "foramen/core/options.hpp"
 #include "foramen/correspond/register_options.hpp"
@@ -15,12 +15,13 @@ ReferenceLoops find_reference_loops(const Mesh& mesh, const RunContext& ctx);
 /// The cost of every edge of an aligned shape. [becker2011 Eq. 3]
 EdgeMap<double> loop_edge_costs(const Mesh& aligned_shape, const ReferenceLoops& reference, EdgeCost cost);
 
-/// Basepoint: the vertex of the shape nearest to the reference's; loops: the greedy system from it by the
-/// edge costs, oriented. Not named: loop k need not be the reference's loop k, see transfer_homology().
+/// Transfers the loops: the basepoint is the vertex of the shape nearest to the reference's basepoint, and
+/// the loops are the oriented greedy system from it with the edge costs as weights. Loop k need not
+/// correspond to loop k of the reference, see transfer_homology().
 LoopSystem propagate_loops(const Mesh& aligned_shape, const ReferenceLoops& reference, EdgeCost cost);
 
-/// The same system with its second loop reversed if the two cross the other way, so that a torus map with
-/// their periods has positive area. \pre genus 1
+/// The same system, with the second loop reversed if necessary so that a torus map with their periods has
+/// positive area. \pre genus 1
 LoopSystem oriented(const Mesh& mesh, LoopSystem loops);
 
 }  // namespace foramen

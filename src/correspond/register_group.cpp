@@ -1,5 +1,4 @@
 #include "correspond/register_group.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -13,10 +12,13 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "correspond/map_steps.hpp"
 #include "correspond/member_archive.hpp"
 #include "correspond/member_steps.hpp"
+#include "correspond/template_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/torus_grid.hpp"
 
 namespace foramen {
@@ -24,13 +26,18 @@ namespace {
 
 PreparedTemplate reference_template(const Reference& reference, const RegisterGroupOptions& options,
                                     const RunContext& ctx) {
-  return {remeshed_template(reference.mesh(), reference.shape_map.map, options.mean.vertices, ctx), options};
+  const Mesh& mesh = reference.mesh();
+  const TorusMap& map = reference.shape_map.map;
+  const int vertices = options.mean.vertices;
+  return {kept<TemplateSurface>(ctx, StageKey(ctx, "reference's template", mesh, map, vertices),
+                                [&] { return remeshed_template(mesh, map, vertices, ctx); }),
+          options};
 }
 
-// Of the options those that decide a member's first registration; the others have their defaults.
+// The options that affect the first registration of a member; the others are set to their defaults.
 RegisterGroupOptions options_of_first(RegisterGroupOptions options) {
   const RegisterGroupOptions defaults;
-  if (options.bending == Bending::cohort) options.bending = Bending::smooth;  // nothing is learnt yet
+  if (options.bending == Bending::cohort) options.bending = Bending::smooth;  // nothing has been learnt yet
   options.cohort = defaults.cohort;
   options.again = defaults.again;
   options.round_limit = defaults.round_limit;
@@ -41,7 +48,7 @@ RegisterGroupOptions options_of_first(RegisterGroupOptions options) {
   return options;
 }
 
-// The same of a later registration, to a template that is given.
+// The options that affect a later registration, to a given template.
 RegisterGroupOptions options_of_later(RegisterGroupOptions options) {
   const RegisterGroupOptions defaults;
   options.initial_map = defaults.initial_map;
@@ -52,6 +59,18 @@ RegisterGroupOptions options_of_later(RegisterGroupOptions options) {
   options.still_mm = defaults.still_mm;
   options.description_rounds = defaults.description_rounds;
   return options;
+}
+
+// The data of a round that decreases the description length.
+struct GroupDescription {
+  double length = 0;
+  std::vector<SimilarityTransform> transforms;  // per member: maps its coordinates to those of the mean
+  std::vector<std::vector<Vec3>> attractors;    // per member, see DescriptionLength
+};
+
+template <class Archive>
+void transfer(Archive& archive, MaybeConst<GroupDescription> auto& description) {
+  archive(description.length, description.transforms, description.attractors);
 }
 
 class GroupRegistrar {
@@ -89,56 +108,54 @@ class GroupRegistrar {
     // made.
     const int least_rounds = options_.bending == Bending::cohort ? 2 : 1;
     for (int round = 0; round < options_.round_limit; ++round) {
-      MeanTemplate next = next_mean();
+      auto [to_mean, next] = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
-      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes are
-      // still in the old template's frame.
+      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes
+      // are still in the coordinates of the old template.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
-      to_last = StageKey(ctx_, "group's mean", all_made_from(), options_.mean, options_of_later(options_));
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
       last = mean.get();
       group = {round + 1, std::move(next.surface), std::move(next.grid), {}};
-      for_each_member("place", [&](int i) { steps_.place(members_[i], *mean); });
-      if (options_.bending == Bending::cohort) learn_priors(*mean);
+      are_placed_ = false;
+      if (options_.bending == Bending::cohort) learn_priors(to_mean, *mean);
       group.prior = priors_.of_newcomer();
+      to_last = StageKey(ctx_, "group's template", to_mean, all_made_from(), options_of_later(options_));
       advance_each_member("round " + std::to_string(round + 1), to_last, [&](int i) {
         Member& member = members_[i];
+        if (!are_placed_) steps_.place(member, *mean);
         steps_.again(member, *mean, priors_.of_member(member.place_in_priors));
       });
     }
     for (int round = 0; round < options_.description_rounds; ++round) {
-      const StageKey described(ctx_, "group's description", to_last, all_made_from());
-      describe(*last);
+      const StageKey described = describe(to_last, *last);
       advance_each_member("describe " + std::to_string(round + 1), described, [&](int i) {
         Member& member = members_[i];
         steps_.improve(member, transformed(member.working.mesh, member.to_template), *last);
       });
     }
-    const StageKey finished = options_.description_rounds > 0
-                                  ? StageKey(ctx_, "group's description", to_last, all_made_from())
-                                  : to_last;
-    if (options_.description_rounds > 0) describe(*last);
+    const StageKey finished = options_.description_rounds > 0 ? describe(to_last, *last) : to_last;
     advance_each_member("finish", finished, [&](int i) { steps_.finish(members_[i], *last); });
     for (std::size_t i = 0; i < members_.size(); ++i)
-      if (result_.members[i].failure.empty()) result_.members[i].registered = std::move(members_[i].result);
+      if (result_.members[i].failure.text.empty())
+        result_.members[i].registered = std::move(members_[i].result);
     return std::move(result_);
   }
 
  private:
-  // One shape at a time on each thread: a thread pool inside a thread pool gains nothing here.
+  // Each shape is processed on one thread, because nested parallel loops would not be faster.
   void for_each_member(const std::string& stage, const std::function<void(int)>& body) {
     std::atomic<int> done{0};
     parallel_for(static_cast<int>(members_.size()), ctx_, [&](int i) {
       GroupMember& member = result_.members[i];
-      if (!member.failure.empty()) return;
+      if (!member.failure.text.empty()) return;
       const auto start = std::chrono::steady_clock::now();
       try {
         body(i);
       } catch (const Cancelled&) {
         throw;
-      } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-        member.failure = e.what();
+      } catch (const std::exception& e) {  // a defect of foramen must not affect the other shapes either
+        member.failure = message_of(e);
       }
       member.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       const int finished = ++done;
@@ -147,8 +164,9 @@ class GroupRegistrar {
     });
   }
 
-  // The same for a step that brings the members on: what each has come to is kept, or was and is taken up.
-  // \param to  what the step takes beside the member
+  // The same for a step that changes the members. The state of each member after the step is read from the
+  // store if it is there, and stored otherwise.
+  // \param to  key of the inputs of the step other than the member
   void advance_each_member(const std::string& stage, const StageKey& to,
                            const std::function<void(int)>& step) {
     for_each_member(stage, [&](int i) {
@@ -163,7 +181,7 @@ class GroupRegistrar {
     });
   }
 
-  // What all members that are still there were made from.
+  // The keys of all members that have not failed.
   std::vector<StageKey> all_made_from() {
     std::vector<StageKey> keys;
     for (const Member* member : present()) keys.push_back(member->made_from);
@@ -177,22 +195,48 @@ class GroupRegistrar {
     return identity;
   }
 
-  MeanTemplate next_mean() {
-    std::vector<std::unique_ptr<TorusLocator>> locators(members_.size());
-    for_each_member("mean", [&](int i) {
-      const std::size_t k = i;
-      locators[k] = std::make_unique<TorusLocator>(members_[k].working.mesh, members_[k].map.map);
+  struct MemberFailed {};
+
+  // A result that depends on all members: read from the store, or computed and stored. If a member fails
+  // meanwhile, the result is computed again from the others, under the key of these inputs.
+  template <class Result>
+  std::pair<StageKey, Result> together(const std::function<StageKey()>& key_of_present,
+                                       const std::function<Result()>& work) {
+    while (true) {
+      ctx_.check();
+      const StageKey key = key_of_present();
+      const std::size_t members = present().size();
+      try {
+        return {key, kept<Result>(ctx_, key, [&] {
+                  Result result = work();
+                  if (present().size() < members) throw MemberFailed();
+                  return result;
+                })};
+      } catch (const MemberFailed&) {
+        continue;
+      }
+    }
+  }
+
+  std::pair<StageKey, MeanTemplate> next_mean() {
+    const auto key = [&] { return StageKey(ctx_, "group's mean", all_made_from(), options_.mean); };
+    return together<MeanTemplate>(key, [&] {
+      std::vector<std::unique_ptr<TorusLocator>> locators(members_.size());
+      for_each_member("mean", [&](int i) {
+        const std::size_t k = i;
+        locators[k] = std::make_unique<TorusLocator>(members_[k].working.mesh, members_[k].map.map);
+      });
+      std::vector<const TorusLocator*> of_present;
+      for (const auto& locator : locators)
+        if (locator) of_present.push_back(locator.get());
+      return mean_template(of_present, reference_.shape_map.map.lattice, ctx_, options_.mean);
     });
-    std::vector<const TorusLocator*> of_present;
-    for (const auto& locator : locators)
-      if (locator) of_present.push_back(locator.get());
-    return mean_template(of_present, reference_.shape_map.map.lattice, ctx_, options_.mean);
   }
 
   std::vector<Member*> present() {
     std::vector<Member*> in;
     for (std::size_t i = 0; i < members_.size(); ++i)
-      if (result_.members[i].failure.empty()) in.push_back(&members_[i]);
+      if (result_.members[i].failure.text.empty()) in.push_back(&members_[i]);
     return in;
   }
 
@@ -201,31 +245,48 @@ class GroupRegistrar {
     for (std::size_t k = 0; k < members.size(); ++k) members[k]->to_template = rigid(transforms[k]);
   }
 
-  // What the members that are still there tell of each other.
-  void learn_priors(const PreparedTemplate& to) {
-    std::vector<std::vector<Vec3>> placed;
-    for (Member* member : present()) {
-      member->place_in_priors = static_cast<int>(placed.size());
-      placed.push_back(member->bent);
-    }
-    priors_ = cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
+  // Computes the priors of all members that have not failed from each other. If the priors are read from the
+  // store, the members need not be placed for them; each member is placed in its next step.
+  void learn_priors(const StageKey& to_mean, const PreparedTemplate& to) {
+    const auto key = [&] {
+      return StageKey(ctx_, "group's priors", to_mean, all_made_from(), options_.displacements,
+                      options_.cohort);
+    };
+    priors_ = together<CohortPriors>(key, [&] {
+                for_each_member("place", [&](int i) { steps_.place(members_[i], to); });
+                are_placed_ = true;
+                std::vector<std::vector<Vec3>> placed;
+                for (const Member* member : present()) placed.push_back(member->bent);
+                return cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
+              }).second;
+    int place = 0;
+    for (Member* member : present()) member->place_in_priors = place++;
     result_.unexplained_shares.push_back(priors_.unexplained_share);
   }
 
-  // The cohort as its maps have it now, and what its description length draws every shape to.
-  void describe(const PreparedTemplate& to) {
+  // Computes the attractors that decrease the description length of the cohort for the present maps.
+  StageKey describe(const StageKey& to_template, const PreparedTemplate& to) {
+    const auto key = [&] { return StageKey(ctx_, "group's description", to_template, all_made_from()); };
+    auto [described, description] =
+        together<GroupDescription>(key, [&] { return description_of_present(to); });
+    result_.description_lengths.push_back(description.length);
+    take_transforms(description.transforms);
     const std::vector<Member*> members = present();
+    for (std::size_t k = 0; k < members.size(); ++k)
+      members[k]->attractor = std::move(description.attractors[k]);
+    return described;
+  }
+
+  GroupDescription description_of_present(const PreparedTemplate& to) {
     std::vector<std::vector<Vec3>> lifted;
-    for (const Member* member : members) {
+    for (const Member* member : present()) {
       const TorusLocator locator(member->working.mesh, member->map.map);
       lifted.push_back(lift_to_surface(locator, to.surface.map.turns.values()));
     }
     const std::vector<double> areas = vertex_areas(to.surface.mesh).values();
-    const ProcrustesResult aligned = procrustes(lifted, ScaleMode::keep, areas);
+    ProcrustesResult aligned = procrustes(lifted, ScaleMode::keep, areas);
     DescriptionLength length = description_length(aligned.aligned, areas, options_.description);
-    result_.description_lengths.push_back(length.value);
-    take_transforms(aligned.transforms);
-    for (std::size_t k = 0; k < members.size(); ++k) members[k]->attractor = std::move(length.attractors[k]);
+    return {length.value, std::move(aligned.transforms), std::move(length.attractors)};
   }
 
   static double distance_of_means(const std::vector<Vec3>& before, const std::vector<Vec3>& after) {
@@ -241,7 +302,8 @@ class GroupRegistrar {
   const RegisterGroupOptions& options_;
   MemberSteps steps_;
   std::vector<Member> members_;
-  CohortPriors priors_;  // of the present round; without Bending::cohort the smooth process
+  CohortPriors priors_;      // priors priors of the present round; without Bending::cohort the smooth process
+  bool are_placed_ = false;  // whether the members have the vertices of the present mean
   GroupRegistration result_;
 };
 
@@ -259,8 +321,8 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
   if (options.description_rounds > 0)
     throw InvalidInput(
         "a shape cannot be registered to a group that was made with description_rounds > 0: their targets "
-        "are "
-        "those of the group's own shapes");
+        "are those of the group's own shapes");
+  require_genus_one(shape);
   const RunContext single = ctx.with_threads(1);
   const MemberSteps steps(reference, single, options);
   Member member;

@@ -1,10 +1,10 @@
 #include "correspond/register_shape.hpp"
-#include "correspond/propagate_loops.hpp"
-#include "foramen/parameterize/optimiser.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include "correspond/map_steps.hpp"
+#include "correspond/propagate_loops.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/parameterize/optimiser.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {
@@ -28,7 +28,7 @@ RegisterOptions paper_options() {
   options.neighbours.search = NeighbourSearch::points;
   options.neighbours.weights = NeighbourWeights::absolute;
   options.lambda = 0.00025;
-  options.iteration_limit = 5000;  // sweeps over all nodes, each far cheaper than a Newton iteration
+  options.iteration_limit = 5000;  // sweeps over all nodes, which are much cheaper than Newton iterations
   return options;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 /// \file
-/// A registered shape and a reference as bytes (byte_archive.hpp), to be kept.
+/// A registered shape and a reference as bytes (byte_archive.hpp), for the store.
 
+#include "core/byte_archive.hpp"
 #include "correspond/register_shape.hpp"
-#include "foramen/core/byte_archive.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 
 namespace foramen {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A shape's final map to the torus, with what is known about it.
+/// The final map of a shape to the torus, with its certificate and statistics.
 
 #include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/certificate.hpp"
@@ -8,12 +8,14 @@
 
 namespace foramen {
 
-/// The map of the input mesh as it is kept: wrapped, quantised, certified. Throws ConvergenceError if it is
-/// not one to one. \param working, full  the two searches that led to it; the map is the second's
+/// The final map of the input mesh: wrapped, quantised and certified. Throws ConvergenceError if it is not
+/// one to one.
+/// \param working  result of the optimisation on the working mesh
+/// \param full  result of the optimisation on the input mesh, whose map is taken
 ShapeMap certified(const Mesh& input, const OptimisedMap& working, const OptimisedMap& full);
 
-/// Throws ConvergenceError if the search ended at its limit of iterations. \param which  mesh: "working" or
-/// "input"
+/// Throws ConvergenceError if the optimisation ended at its iteration limit.
+/// \param which  name of the mesh for the message: "working" or "input"
 void require_converged(const OptimisedMap& result, const char* which);
 
 }  // namespace foramen

@@ -1,5 +1,4 @@
 #include "correspond/soft_neighbours.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include "foramen/core/error.hpp"
 #include "match/oriented_points.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 namespace {

@@ -1,5 +1,4 @@
 #include "correspond/surface_targets.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "match/robust_weight.hpp"
 

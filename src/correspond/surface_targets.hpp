@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Every vertex of a shape is drawn to the torus position of a point of the template's surface.
+/// A correspondence energy that attracts every vertex of a shape to the torus position of a point on the
+/// template.
 
 #include <vector>
 
@@ -12,17 +13,18 @@
 
 namespace foramen {
 
-/// E_v = w_v |p_v - t_v|^2 [mm^2], measured on the template by its metric at t_v, to the nearest lattice
-/// translate; t_v the torus position of the point of the bent template closest to the vertex among those of
-/// compatible normal (barycentric, not a vertex). Quadratic, so value, gradient and Hessian are exact.
+/// E_v = w_v |p_v - t_v|^2 [mm^2], where the distance is measured to the nearest lattice translate in the
+/// metric of the template at t_v. The target t_v is the torus position of the surface point of the bent
+/// template that is closest to the vertex among the points with compatible normals. The weight w_v is Tukey's
+/// biweight of the distance between the vertex and that surface point (reach_mm). The term is quadratic, so
+/// value, gradient and Hessian are exact.
 class SurfaceTargets : public CorrespondenceObjective {
  public:
-  /// \param bent  where the template's vertices are once it is bent onto the shape, in the shape's
-  /// coordinates
+  /// \param bent  positions of the template's vertices after bending, in the coordinates of the shape
   SurfaceTargets(const Mesh& shape, const TemplateSurface& surface, const VertexMap<Mat2>& tensors,
                  std::vector<Vec3> bent, const SurfaceTargetsOptions& options = {});
   Term term(VertexId v, const Vec2& plane_position) const override;
-  /// Part of the vertices that have no target.
+  /// Share of the vertices that have no target.
   double share_without() const;
 
  private:

@@ -1,10 +1,10 @@
 #include "correspond/template_metric.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 namespace foramen {
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distortion measured on the template in place of the flat torus.
+/// The metric of the template, in which distortion is measured instead of in the flat torus.
 
 #include "correspond/template_surface.hpp"
 #include "foramen/correspond/registration_frame.hpp"
@@ -9,12 +9,13 @@
 
 namespace foramen {
 
-/// Makes the energy of a shape's map that of the map shape -> template, by the template's metric_tensors().
+/// Provides the TargetMetric with which the distortion of a shape's map is that of the map shape -> template.
+/// It is made from metric_tensors().
 class TemplateMetric {
  public:
   explicit TemplateMetric(const TemplateSurface& surface);
-  /// The metric at the place where the centroid of each of the shape's triangles lies in this map; a map that
-  /// moves far needs it again.
+  /// The metric for each triangle of the shape, at the position of its centroid in this map. It must be
+  /// computed again if the map changes by much.
   TargetMetric at(const Mesh& shape, const TorusMap& map) const;
   const VertexMap<Mat2>& tensors() const { return tensors_; }
   const TorusLocator& locator() const { return locator_; }

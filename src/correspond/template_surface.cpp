@@ -8,7 +8,7 @@
 namespace foramen {
 namespace {
 
-// Of the affine map from the triangle's place in the plane to the triangle in space.
+// The first fundamental form of the affine map from a triangle in the plane to the triangle in space.
 Mat2 first_fundamental_form(const TemplateSurface& surface, FaceId f) {
   const auto plane = plane_triangle(surface.mesh, surface.map, f);
   Mat2 edges;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The surface that shapes are registered to, with its map to the torus they all share.
+/// The surface to which shapes are registered, with its map to the common torus.
 
 #include "foramen/core/surface_point.hpp"
 #include "foramen/correspond/registration_frame.hpp"
@@ -8,12 +8,12 @@
 
 namespace foramen {
 
-/// The template's first fundamental form in the plane of its map, per vertex: a small motion dx in the plane
-/// moves by \f$ \sqrt{dx^T G\, dx} \f$ mm on the template. The area-weighted mean over the triangles at each
-/// vertex, so that it varies continuously when interpolated.
+/// The first fundamental form G of the template in the plane of its map, per vertex: a small displacement dx
+/// in the plane has the length \f$ \sqrt{dx^T G\, dx} \f$ mm on the template. G is the area-weighted mean
+/// over the triangles at a vertex, so that it can be interpolated continuously.
 VertexMap<Mat2> metric_tensors(const TemplateSurface& surface);
 
-/// The tensor at a place between vertices.
+/// The tensor interpolated at a point of the surface.
 Mat2 interpolated(const Mesh& mesh, const VertexMap<Mat2>& tensors, const SurfacePoint& place);
 
 }  // namespace foramen

@@ -1,11 +1,11 @@
 #include "correspond/transfer_homology.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <string>
 
 #include "correspond/vertex_path.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "match/oriented_points.hpp"
 #include "topology/linking.hpp"
 
@@ -30,7 +30,7 @@ EdgeLoop transfer_loop(const Mesh& shape, const IndexedPoints& vertices, VertexP
   return closed;
 }
 
-// Gradients of the two coordinates (in turns) on a face, as vectors in space [turns per mm].
+// Gradients of the two torus coordinates on a face, as vectors in space [turns per mm].
 std::array<Vec3, 2> gradients(const Mesh& mesh, const TorusMap& map, FaceId f) {
   const auto t = mesh.triangle(f);
   const Vec3 doubled = 2 * area_vector(t);
@@ -47,7 +47,8 @@ std::array<Vec3, 2> gradients(const Mesh& mesh, const TorusMap& map, FaceId f) {
   return out;
 }
 
-// Area-weighted average of the gradients of the faces at each vertex, by coordinate; unit length.
+// For each coordinate, the area-weighted average of the gradients of the faces at each vertex, normalised to
+// unit length.
 std::array<VertexMap<Vec3>, 2> vertex_gradients(const Mesh& mesh, const TorusMap& map) {
   std::array<VertexMap<Vec3>, 2> sum{VertexMap<Vec3>(mesh.vertex_count(), Vec3::Zero()),
                                      VertexMap<Vec3>(mesh.vertex_count(), Vec3::Zero())};
@@ -111,8 +112,7 @@ void require_reference_homology(const Mesh& mesh, const TorusMap& map, const Vec
   if (det == 1 && seifert_test(inverse_unimodular(periods), seifert, reference_seifert)) return;
   throw TopologyError(
       "the finished map winds round the torus otherwise than the reference's (Seifert test of loops found "
-      "anew "
-      "failed): the shape is probably misaligned or of another anatomy");
+      "anew failed): the shape is probably misaligned or of another anatomy");
 }
 
 Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference,

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Which loop of a shape is which loop of the reference: homology carried over, and its independent checks.
+/// Identification of the loops of a shape with those of the reference by homology, and independent checks of
+/// the result.
 
 #include <array>
 
@@ -11,32 +12,36 @@
 
 namespace foramen {
 
+/// The loops of the reference transferred to a shape, and their periods.
 struct HomologyTransfer {
   Eigen::Matrix2i a;  ///< column k: periods of the transferred reference loop k under the shape's cocycle
   std::array<EdgeLoop, 2> transferred;  ///< closed loops on the shape
 };
 
-/// Moves each reference loop to the nearest normal-compatible vertices of the shape, closes it by shortest
-/// paths and integrates the shape's cocycle along it. t' = A^-1 t then has the reference's periods. Throws
-/// TopologyError if |det A| is not 1. It proves nothing by itself (a Dehn twist passes): see seifert_test()
-/// and map_agreement().
+/// Transfers each reference loop to the nearest vertices of the shape with compatible normals, connects them
+/// by shortest paths and integrates the cocycle of the shape along the closed loop. The jumps t' = A^-1 t
+/// then have the periods of the reference. Throws TopologyError if |det A| is not 1. This does not prove that
+/// the identification is correct (a Dehn twist is not detected), see seifert_test() and map_agreement().
 HomologyTransfer transfer_homology(const Mesh& aligned_shape, const Cocycle& form,
                                    const ReferenceLoops& reference);
 
-/// A^-1 of an integer matrix. \pre |det A| = 1
+/// The inverse of an integer matrix. \pre |det A| = 1
 Eigen::Matrix2i inverse_unimodular(const Eigen::Matrix2i& a);
 
-/// The check of a finished map, which relies on nothing of its making: loops of the shape found anew, named
-/// by the map's own jumps, must pass seifert_test() with the reference's Seifert matrix; that the shape's and
-/// the reference's loops lie near each other is not asked. Throws TopologyError. \param base  on the torus,
-/// in turns: where the loops shall pass (the reference's basepoint) \param mesh  as it lies in space without
-/// intersecting itself  \param map  of it
+/// Checks the homology of a finished map independently of how the map was made. Loops of the shape are
+/// computed again and identified by the jumps of the map; they must pass seifert_test() with the Seifert
+/// matrix of the reference. The loops of shape and reference need not be close to each other. Throws
+/// TopologyError if the test fails.
+/// \param mesh  the shape, without self-intersections
+/// \param map  its map
+/// \param base  torus position of the basepoint of the loops, in turns (that of the reference)
 void require_reference_homology(const Mesh& mesh, const TorusMap& map, const Vec2& base,
                                 const Eigen::Matrix2i& reference_seifert);
 
-/// Mean cosine, over the surface, between the gradients of the shape's map and of the reference's at the
-/// nearest normal-compatible vertex, for each of the two coordinates. Both must be positive: the Seifert test
-/// leaves the common sign of the two loops open, and this settles it without the transferred loops.
+/// For each of the two torus coordinates, the mean cosine over the surface between the gradient of the
+/// shape's map and that of the reference's map at the nearest vertex with compatible normal. Both must be
+/// positive. The Seifert test does not determine the common sign of the two loops; this check does,
+/// independently of the transferred loops.
 Vec2 map_agreement(const Mesh& aligned_shape, const TorusMap& map, const Mesh& reference,
                    const TorusMap& reference_map);
 

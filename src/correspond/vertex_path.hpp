@@ -6,8 +6,8 @@
 
 namespace foramen {
 
-/// Shortest paths between vertices that are close together: Dijkstra that stops at the target. Keeps its
-/// workspace from one query to the next.
+/// Shortest paths between vertices that are close to each other, by Dijkstra's algorithm with an early stop
+/// at the target. The working memory is reused by later queries.
 class VertexPaths {
  public:
   VertexPaths(const Mesh& mesh, const EdgeMap<double>& lengths);

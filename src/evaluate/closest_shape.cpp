@@ -13,9 +13,10 @@ namespace foramen::detail {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Sums of rounded numbers count as bounds beyond this relative margin only.
+// Relative margin for rounding, by which a sum must exceed a number to count as larger.
 constexpr double bound_margin = 1e-10;
-// Samples expected to be far are measured first: down to these parts of the average, then all others.
+// Samples that are expected to be far are measured first: those beyond these multiples of the average
+// distance, in turn.
 constexpr std::array<float, 4> first_those_beyond{1.5f, 1.0f, 0.5f, -1.0f};
 constexpr int samples_between_looks = 32;
 
@@ -94,9 +95,10 @@ double ClosestShapeSearch::smallest_mean() {
   return smallest;
 }
 
-/// The mean distance to a shape; infinity if it is certain to be beyond `smallest`.
+/// The mean distance to a shape; infinity if it certainly exceeds `smallest`.
 double ClosestShapeSearch::mean_or_beyond(std::size_t shape, double smallest) {
-  // Twice the mean times the number of samples. What is not measured stands in it with a lower bound.
+  // The limit for the sum of all distances in both directions. In the sum below, a distance that is not yet
+  // measured is replaced by its lower bound.
   const double enough = 2 * smallest * static_cast<double>(probe_->samples().size()) * (1 + bound_margin);
   if (bound_sum_[shape] > enough || backward_bound_beyond(shape, enough - bound_sum_[shape])) return infinity;
 
@@ -114,7 +116,7 @@ double ClosestShapeSearch::mean_or_beyond(std::size_t shape, double smallest) {
   return 0.5 * (mean_of(forward) + mean_of(backward));
 }
 
-/// Whether the distances of the shape's samples to the probe certainly sum to more than this.
+/// Whether the distances of the shape's samples to the probe certainly sum to more than `sum`.
 bool ClosestShapeSearch::backward_bound_beyond(std::size_t shape, double sum) {
   if (sum == infinity) return false;
   const auto samples = training_.shapes[shape].samples();

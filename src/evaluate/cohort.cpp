@@ -54,7 +54,7 @@ void check_cohort(const CorrespondingCohort& cohort) {
       throw InvalidInput("the input surface of " + cohort.names[s] + " has no triangles");
   }
   if (cohort.triangles.empty()) throw InvalidInput("the corresponding meshes have no triangles");
-  for (int s = 0; s < cohort.size(); ++s) corresponding_mesh(cohort, s);  // throws what build_mesh finds
+  for (int s = 0; s < cohort.size(); ++s) corresponding_mesh(cohort, s);  // throws the errors of build_mesh()
 }
 
 Mesh corresponding_mesh(const CorrespondingCohort& cohort, int shape) {

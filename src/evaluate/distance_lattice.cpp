@@ -12,9 +12,9 @@ namespace {
 
 using Floats = Eigen::Array4f;
 constexpr std::size_t lanes = 4;
-// Some 20 single-precision operations on numbers of one sign.
+// Bound of the relative rounding error of about 20 single-precision operations on numbers of one sign.
 constexpr float rounding = 4e-6f;
-// Places are rounded to single precision within their cell, mm.
+// Bound of the rounding of positions to single precision within a cell, mm.
 constexpr float rounding_mm = 1e-6f;
 constexpr int nothing = -1;
 

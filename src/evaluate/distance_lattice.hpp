@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distances to many fixed surfaces, bounded from a table.
+/// Lower bounds of distances to many fixed surfaces by a lookup table.
 
 #include <array>
 #include <span>
@@ -13,28 +13,32 @@ namespace foramen::detail {
 
 /// Squared distances to several surfaces at the nodes of a cubic lattice around a middle surface.
 ///
-/// The squared distance to any set, less |p|^2, is concave: it is the smallest of the functions |y|^2 - 2
-/// y.p. So a convex combination p = sum w_j x_j of nodes gives d(p)^2 >= sum w_j d(x_j)^2 - sum w_j |x_j -
-/// p|^2, and with trilinear weights the last sum is h^2 sum t (1 - t) over the axes: a lower bound that is
-/// wrong by the second order of the spacing only.
+/// The squared distance to a set minus |p|^2 is concave in p, because it is the minimum of the linear
+/// functions |y|^2 - 2 y.p over the points y of the set. For a convex combination p = sum w_j x_j of nodes
+/// this gives the lower bound d(p)^2 >= sum w_j d(x_j)^2 - sum w_j |x_j - p|^2. With trilinear weights the
+/// last sum is h^2 sum t (1 - t) over the axes for the spacing h, so the error of the bound is of second
+/// order in the spacing.
 class DistanceLattice {
  public:
-  /// \param reach  nodes farther than this from the middle surface are left out; points there get the bound 0
+  /// \param reach  nodes farther than this from the middle surface are not stored, and lower_bounds() is
+  /// false near them
   DistanceLattice(const MeasuredSurface& middle, const std::vector<MeasuredSurface>& surfaces, double reach,
                   double spacing, const RunContext& ctx);
 
-  /// Lower bounds of the distances of p to all surfaces; false (and nothing written) where the lattice does
-  /// not reach. \param bounds  width() numbers, those beyond the number of surfaces of no meaning
+  /// Writes lower bounds of the distances of p to all surfaces. False, with nothing written, if p is outside
+  /// the stored nodes.
+  /// \param bounds  width() numbers, of which those beyond the number of surfaces are meaningless
   bool lower_bounds(const Vec3& p, std::span<float> bounds) const;
-  /// True only if p is at a distance <= radius of the surface; false where the table cannot tell.
+  /// True only if the distance of p to the surface is certainly <= radius; false also if the table does not
+  /// determine this.
   bool surely_within(std::size_t surface, const Vec3& p, double radius) const;
-  /// Surfaces, rounded up to whole lanes.
+  /// The number of surfaces rounded up to a multiple of the SIMD lanes.
   std::size_t width() const { return width_; }
 
  private:
   struct Place {
     std::array<int, 3> cell;
-    std::array<double, 3> t;  // 0 .. 1 within the cell
+    std::array<double, 3> t;  // coordinates within the cell, 0 .. 1
   };
   bool locate(const Vec3& p, Place& place) const;
   std::size_t node(int i, int j, int k) const {
@@ -48,7 +52,7 @@ class DistanceLattice {
   Vec3 low_;
   std::array<int, 3> size_{};
   std::size_t width_;
-  std::vector<int> row_;        // per node; -1 out of reach
+  std::vector<int> row_;        // per node: index of its row; -1: not stored
   std::vector<float> squared_;  // rows of width_ numbers, rounded down
 };
 

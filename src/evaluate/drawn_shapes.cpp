@@ -22,7 +22,8 @@ Eigen::VectorXd truncated_scores(const ShapeModel& model, Rng rng) {
   return b;
 }
 
-/// \param of_mean  the surface of the mean: refitted, not built anew, for every draw
+/// \param of_mean  the surface of the mean; a copy of it is refitted for every draw, which is faster than a
+/// new tree
 DrawnShape measure(const TriangleTree& of_mean, const Eigen::VectorXd& landmarks) {
   const Mesh& mean = of_mean.mesh();
   TriangleTree surface = of_mean;

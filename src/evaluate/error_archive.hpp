@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// Private to evaluate: errors as bytes, to be kept.
+/// Private to evaluate: errors as bytes, for the store.
 
-#include "foramen/core/byte_archive.hpp"
+#include "core/byte_archive.hpp"
 #include "foramen/evaluate/cohort.hpp"
 
 namespace foramen {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where on a shape its corresponding mesh departs from the input surface.
+/// The local deviation of a corresponding mesh from its input surface.
 
 #include <vector>
 
@@ -9,10 +9,10 @@
 
 namespace foramen {
 
-/// Distances both ways: of each vertex of the input to the corresponding mesh, counted for the landmark whose
-/// barycentric coordinate is largest at the closest point; of each landmark, and of the middle of each
-/// landmark edge and triangle, to the input, counted for its landmarks. The largest of a map is a lower bound
-/// of the Hausdorff distance, as that of surface_distance() is.
+/// Distances in both directions. The distance of each input vertex to the corresponding mesh counts for the
+/// landmark with the largest barycentric coordinate at the closest point. The distances of each landmark and
+/// of the midpoints of landmark edges and triangles to the input count for their landmarks. The maximum of a
+/// map is a lower bound of the Hausdorff distance, as is that of surface_distance().
 ErrorMap error_map(const TriangleTree& corresponding, const TriangleTree& input, const SampledFlips& flips);
 
 }  // namespace foramen

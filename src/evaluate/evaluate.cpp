@@ -9,7 +9,7 @@
 namespace foramen {
 namespace {
 
-/// Calls `work`, says how long it took, and holds no memory that it has freed.
+/// Calls `work`, stores its time in `seconds` and returns freed memory to the system.
 template <class Work>
 auto timed(double& seconds, const Work& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -19,7 +19,7 @@ auto timed(double& seconds, const Work& work) {
   return result;
 }
 
-/// Whether subjects are known and two shapes remain without any one of them.
+/// Whether subjects are known and at least two shapes remain without any one of them.
 bool can_leave_subjects_out(const CorrespondingCohort& cohort) {
   if (cohort.subjects.empty()) return false;
   std::map<std::string, int> shapes_of;

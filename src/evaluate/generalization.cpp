@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
 #include "evaluate/error_archive.hpp"
 #include "evaluate/measured_surface.hpp"
 #include "evaluate/pruned_distance.hpp"
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/stage_store.hpp"
 
 namespace foramen {
 namespace {
@@ -123,11 +123,11 @@ Generalization generalization(const CorrespondingCohort& cohort, const Generaliz
   std::vector<std::vector<ShapeError>> errors(cohort.corresponding.size());
   const StageKey of_cohort(ctx, "cohort", cohort.corresponding, cohort.triangles, cohort.inputs, options);
   detail::StageProgress progress(ctx, "generalization", cohort.size());
-  // A model is as large as all its shapes, and there are as many as groups: each lives only while its group
-  // is measured.
+  // A model needs as much memory as all its shapes, and there is one per group. Therefore each model exists
+  // only while its group is measured.
   parallel_for(static_cast<int>(groups.size()), ctx, [&](int g) {
     const std::vector<int>& group = groups[g];
-    std::optional<AlignedModel> model;  // made for the first shape that no former run has measured
+    std::optional<AlignedModel> model;  // built for the first shape that is not in the store
     std::mutex making;
     const auto model_of_others = [&]() -> const AlignedModel& {
       const std::lock_guard lock(making);

@@ -13,10 +13,11 @@
 namespace foramen::detail {
 namespace {
 
-// Balls of about a thousandth of the surface are small against the Hausdorff distances of different shapes.
+// A ball around a thousandth of the surface is small compared with Hausdorff distances between different
+// shapes.
 constexpr int cluster_count = 1000;
 
-/// Halves ranges of faces along the widest axis of their centroids until they are small.
+/// Divides the faces into groups by halving ranges along the widest axis of their centroids.
 class FaceGroups {
  public:
   FaceGroups(const Mesh& mesh, int largest) : largest_(largest), order_(mesh.face_count()) {
@@ -104,7 +105,7 @@ void MeasuredSurface::refresh() {
   const Mesh& mesh = tree_.mesh();
   const auto places = sample_surface(mesh, sample_count_, Rng(seed_));
   samples_.clear();
-  std::vector<int> samples_before(clusters_.size() + 1, 0);  // first counted, then summed
+  std::vector<int> samples_before(clusters_.size() + 1, 0);  // counts first, then cumulative sums
   for (const SurfacePoint& p : places) {
     samples_.push_back(position(mesh, p));
     ++samples_before[static_cast<std::size_t>(cluster_of_face_[p.face.index]) + 1];
@@ -115,7 +116,7 @@ void MeasuredSurface::refresh() {
   int first = 0;
   for (std::size_t c = 0; c < clusters_.size(); ++c) {
     PointCluster& cluster = clusters_[c];
-    // Triangles are convex: a ball around the corners holds the samples too.
+    // Triangles are convex, so a ball around the corners contains the samples, too.
     Vec3 low = mesh.position(VertexId(corners_of_cluster_[c][0])), high = low;
     for (const int v : corners_of_cluster_[c]) {
       low = low.cwiseMin(mesh.position(VertexId(v)));

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A surface made ready to be measured against many others.
+/// A surface prepared for distance computations with many others.
 
 #include <cstdint>
 #include <span>
@@ -18,22 +18,23 @@ struct PointCluster {
   int first = 0, count = 0;  // points first .. first + count of MeasuredSurface::points()
 };
 
-/// The triangles of a mesh for queries, its area-stratified samples, and its vertices and samples gathered in
-/// small clusters, so that a statement about a ball settles all points in it. All of it follows a motion of
-/// the vertices.
+/// The triangles of a mesh for queries, its area-stratified samples, and its vertices and samples grouped in
+/// small clusters, so that one query for a ball can decide about all points in it. All these data can be
+/// updated for new vertex positions.
 class MeasuredSurface {
  public:
-  /// \param samples, seed  as in surface_distance
+  /// \param samples, seed  as in surface_distance()
   MeasuredSurface(const Mesh& mesh, int samples, std::uint64_t seed);
-  /// The same triangles at other positions.
+  /// Updates the surface for the same triangles at other positions.
   void move_to(std::vector<Vec3> positions);
-  /// It will not be moved: lets go of what only a motion needs, for many of them are held at once.
+  /// Releases the memory that only move_to() needs, which must not be called afterwards. Many surfaces are
+  /// kept at once.
   void settle();
 
   const PackedTriangles& tree() const { return tree_; }
   std::span<const Vec3> samples() const { return samples_; }
   std::span<const PointCluster> clusters() const { return clusters_; }
-  /// Vertices and samples, cluster after cluster.
+  /// The vertices and samples of a cluster.
   std::span<const Vec3> points(const PointCluster& cluster) const {
     return std::span(points_).subspan(cluster.first, static_cast<std::size_t>(cluster.count));
   }
@@ -46,8 +47,8 @@ class MeasuredSurface {
   int sample_count_;
   std::uint64_t seed_;
   std::vector<int> cluster_of_face_;
-  std::vector<std::vector<int>> corners_of_cluster_;  // vertices of its faces
-  std::vector<std::vector<int>> owned_vertices_;      // every vertex in one cluster
+  std::vector<std::vector<int>> corners_of_cluster_;  // vertices of the faces of each cluster
+  std::vector<std::vector<int>> owned_vertices_;      // per cluster; each vertex is in exactly one cluster
   std::vector<Vec3> samples_;
   std::vector<PointCluster> clusters_;
   std::vector<Vec3> points_;

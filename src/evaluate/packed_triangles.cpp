@@ -15,18 +15,18 @@ namespace {
 using Floats = Eigen::Array4f;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
-// More than any squared distance, and its products with small numbers are finite.
+// Larger than any squared distance, but with finite products with small numbers.
 constexpr float very_far = 1e30f;
-// A lower bound may be this part of the distance, squared.
+// Squared least ratio of the lower bound of distance_at_least() to the distance.
 constexpr float least_part_squared = 0.7f;
 constexpr int no_child = std::numeric_limits<int>::max();
-// Single precision is trusted to this many units of rounding of the largest coordinate: a query has about 40
-// operations, whose errors are far from all of one sign.
+// Error bound of a query in single precision, in rounding units of the largest coordinate. A query has about
+// 40 operations, but their errors do not all have one sign.
 constexpr float rounding_units = 32;
-// Height over longest side under which single precision says nothing about a triangle.
+// Ratio of height to longest side below which distances to a triangle in single precision are useless.
 constexpr double sliver_height = 0.02;
-constexpr std::size_t stack_size =
-    128;  // halving splits: depth <= 16 nodes, each leaving three siblings behind
+// Splits halve ranges, so the depth is at most 16 nodes, each of which leaves three siblings on the stack.
+constexpr std::size_t stack_size = 128;
 constexpr std::size_t candidate_count = 32;
 
 template <class Row>
@@ -45,7 +45,7 @@ bool is_sliver(double det, double longest_squared) {
 
 }  // namespace
 
-/// Splits faces at medians of their centroids, in multiples of four.
+/// Builds the hierarchy by splits at medians of centroids into multiples of four faces.
 struct PackedTriangles::Builder {
   PackedTriangles& tree;
   std::vector<int> order;
@@ -80,7 +80,7 @@ struct PackedTriangles::Builder {
     return ~static_cast<int>(tree.packets_.size() - 1);
   }
 
-  /// Where the second half begins; `last` if the range is one packet.
+  /// The start of the second half of a range; `last` if the range is a single packet.
   int split(int first, int last) {
     if (last - first <= 4) return last;
     const auto centroid = [&](int face) -> const Vec3& { return centroids[face]; };
@@ -138,7 +138,7 @@ void PackedTriangles::fill(Packet& packet) const {
 void PackedTriangles::refresh() {
   const BoundingBox whole = bounding_box(mesh_.positions());
   origin_ = 0.5 * (whole.low + whole.high);
-  const double scale = 0.5 * whole.diagonal() + 1;  // queries are near; lengths are mm
+  const double scale = 0.5 * whole.diagonal() + 1;  // queries are near the mesh; lengths are in mm
   rounding_ = rounding_units * std::numeric_limits<float>::epsilon() * static_cast<float>(scale);
   for (Packet& p : packets_) fill(p);
 
@@ -148,7 +148,7 @@ void PackedTriangles::refresh() {
     for (std::size_t k = 0; k < 4; ++k) {
       Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
       if (node.child[k] == no_child) {
-        // nothing: the box stays inside out
+        // no child: the box stays empty
       } else if (node.child[k] >= 0) {
         std::tie(low, high) = box[node.child[k]];
       } else {
@@ -169,7 +169,7 @@ void PackedTriangles::refresh() {
   }
 }
 
-// The query in four lanes, in the packets' coordinates.
+// The query in the coordinates of the packets, repeated in four lanes.
 struct PackedTriangles::Query {
   std::array<Floats, 3> point;
   Query(const Vec3& query, const Vec3& origin) {
@@ -189,8 +189,8 @@ struct PackedTriangles::Query {
   struct ToTriangles {
     Floats squared, doubt;
   };
-  /// Squared distances as the smallest of those to the sides and, where the projection falls inside, to the
-  /// plane; and how far they may be wrong.
+  /// Squared distances and bounds of their errors. A distance is the minimum of those to the sides and, if
+  /// the projection falls inside the triangle, that to the plane.
   ToTriangles to_triangles(const Packet& t) const {
     Floats p_p = Floats::Zero(), p_ab = Floats::Zero(), p_ac = Floats::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -219,13 +219,13 @@ struct PackedTriangles::Query {
 
 namespace {
 
-// What an exact search wants to know of boxes beyond its limit.
+// For an exact search: ignores skipped boxes.
 struct Nothing {
   void add(const Floats&, float) {}
   void add(float) {}
 };
 
-// The smallest squared distance of the boxes that were skipped.
+// For a lower bound: the smallest squared distance of the skipped boxes.
 struct SmallestSkipped {
   Floats lanes = Floats::Constant(very_far);
   void add(const Floats& to_box, float bound) {
@@ -236,12 +236,13 @@ struct SmallestSkipped {
 
 }  // namespace
 
-// Nearest boxes first; boxes beyond `limit` (a squared distance) are skipped. `visit(packet)` may lower it,
-// and returns true to stop.
+// Visits the nearest boxes first and skips boxes beyond `limit` (a squared distance). `visit(packet)` may
+// lower the limit and returns true to stop.
 template <class Visit, class Skipped>
 void PackedTriangles::traverse(const Query& query, const float& limit, const Visit& visit,
                                Skipped& skipped) const {
-  // Two arrays: an entry of two numbers written apart and read at once would wait for memory.
+  // Two arrays are faster than one array of pairs: a pair that is written in two parts and read as one stalls
+  // the processor (store forwarding).
   std::array<float, stack_size> distance;
   std::array<int, stack_size> child;
   std::size_t top = 0;
@@ -250,11 +251,11 @@ void PackedTriangles::traverse(const Query& query, const float& limit, const Vis
     if (current >= 0) {
       const Node& node = nodes_[current];
       const Floats to_box = query.to_boxes(node);
-      // 1 + d^2 bounds 2 d: what rounding of coordinates may do to a squared distance.
+      // A rounding error e of coordinates changes a squared distance d^2 by about 2 d e, and 2 d <= 1 + d^2.
       const float bound = limit + rounding_ * (1.0f + limit);
       skipped.add(to_box, bound);
-      // Written without branches, which could not be predicted: all wanted children are pushed, the nearest
-      // is followed.
+      // All children within the limit are pushed and the nearest is followed. The loop has no branches,
+      // because they could not be predicted.
       const std::size_t base = top;
       std::size_t nearest = base;
       float nearest_distance = very_far;
@@ -292,7 +293,7 @@ double PackedTriangles::squared_distance(const Vec3& query) const {
   std::array<Candidate, candidate_count> candidates;
   std::size_t count = 0;
   double smallest = std::numeric_limits<double>::infinity();
-  float limit = very_far;  // no less than the smallest squared distance
+  float limit = very_far;  // an upper bound of the smallest squared distance
   const auto settle = [&] {
     for (std::size_t c = 0; c < count; ++c)
       if (candidates[c].at_least <= limit)
@@ -323,8 +324,8 @@ double PackedTriangles::squared_distance(const Vec3& query) const {
 }
 
 double PackedTriangles::distance_at_least(const Vec3& query) const {
-  // Boxes are skipped although they are a little nearer than the nearest triangle so far: it is they that
-  // then bound the distance.
+  // Boxes that are only slightly nearer than the nearest triangle so far are skipped; they then determine the
+  // lower bound.
   const Query lanes(query, origin_);
   float nearest_at_most = very_far, nearest_at_least = very_far, limit = very_far;
   SmallestSkipped skipped;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distances to a triangle mesh, many and fast, for a mesh whose vertices keep moving.
+/// Fast distance queries for a triangle mesh whose vertices are moved repeatedly.
 
 #include <array>
 #include <limits>
@@ -11,17 +11,19 @@
 
 namespace foramen::detail {
 
-/// Triangles four to a packet, packets under a hierarchy of boxes four to a node. Single precision decides,
-/// with room for its own error, which few triangles can be the closest; their distances are then exact, so
-/// every answer is that of TriangleTree to the bit. Const members may be called from many threads at once.
+/// Packets of four triangles under a hierarchy of boxes with four children per node. A search in single
+/// precision, with bounds of its rounding error, selects the few triangles that can be the closest. Their
+/// distances are computed in double precision, so all results are bitwise equal to those of TriangleTree.
+/// Const members may be called from many threads at once.
 class PackedTriangles {
  public:
   explicit PackedTriangles(const Mesh& mesh);
-  /// The same triangles at other positions: numbers are recomputed, the hierarchy is kept.
+  /// Moves the vertices: recomputes boxes and packets and keeps the hierarchy.
   void move_to(std::vector<Vec3> positions);
 
   double squared_distance(const Vec3& query) const;
-  /// A lower bound of the distance, at most a sixth below it, for a third of the time.
+  /// A lower bound of the distance that is at most a sixth too small, in a third of the time of an exact
+  /// distance.
   double distance_at_least(const Vec3& query) const;
   /// Whether the surface is at a distance <= radius.
   bool any_within(const Vec3& query, double radius) const;
@@ -29,14 +31,15 @@ class PackedTriangles {
 
  private:
   using Lanes = std::array<float, 4>;
-  /// Corner a and sides of four triangles a, a + ab, a + ac, relative to origin_, and what depends on them
-  /// alone.
+  /// Corner a and sides ab, ac of four triangles, relative to origin_, and quantities that depend on them
+  /// only.
   struct alignas(64) Packet {
     std::array<Lanes, 3> a, ab, ac;
     Lanes ab_ab, ab_ac, ac_ac, bc_bc;
-    Lanes inverse_ab, inverse_ac, inverse_bc, inverse_det;  // of squared lengths and of the Gram determinant
-    Lanes doubt;              // added to what is taken for rounding; infinite for slivers
-    std::array<int, 4> face;  // repeated where there are fewer than four
+    // Inverses of squared lengths and of the Gram determinant.
+    Lanes inverse_ab, inverse_ac, inverse_bc, inverse_det;
+    Lanes doubt;              // added to the bound of the rounding error; infinite for slivers
+    std::array<int, 4> face;  // the last one is repeated if there are fewer than four
   };
   struct alignas(64) Node {
     std::array<Lanes, 3> low, high;
@@ -51,7 +54,7 @@ class PackedTriangles {
 
   Mesh mesh_;
   Vec3 origin_ = Vec3::Zero();
-  float rounding_ = 0;  // relative error allowed for in single precision
+  float rounding_ = 0;  // bound of the relative error in single precision
   std::vector<Packet> packets_;
   std::vector<Node> nodes_;  // parents before children
 };

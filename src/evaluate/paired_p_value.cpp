@@ -33,8 +33,8 @@ Quanta quanta(std::span<const double> differences) {
   return q;
 }
 
-/// In the order of a Gray code: one sign changes at a time. The last never does, since a pattern and its
-/// opposite count alike.
+/// Enumerates the sign patterns in the order of a Gray code, in which one sign changes at a time. The last
+/// sign is fixed, because a pattern and its opposite have the same result.
 double enumerated(Quanta q, std::int64_t observed) {
   const std::uint64_t patterns = std::uint64_t{1} << (q.size() - 1);
   std::int64_t sum = observed;

@@ -7,17 +7,17 @@
 namespace foramen::detail {
 namespace {
 
-// Radii and centres are rounded numbers: a bound from them counts beyond this relative margin only.
+// Relative margin for the rounding of centres and radii in bounds.
 constexpr double bound_margin = 1e-12;
 
-/// The largest distance from points of one surface to another, raised cluster by cluster.
+/// The largest distance from points of one surface to another, computed cluster by cluster.
 class FarthestPoint {
  public:
   FarthestPoint(const MeasuredSurface& from, const PackedTriangles& to, double give_up,
                 const KnownDistances& known)
       : from_(from), to_(to), give_up_(give_up), known_(known) {}
 
-  /// Raises `largest` by the points of one cluster; true if it did.
+  /// Raises `largest` to the largest distance of the points of one cluster; true if that is larger.
   bool raise(int index, double& largest) const {
     const PointCluster& cluster = from_.clusters()[index];
     const double enough = largest * (1 - bound_margin) - cluster.radius;
@@ -34,7 +34,8 @@ class FarthestPoint {
     return raised;
   }
 
-  /// Over all clusters; `start`, which was looked at before, becomes the one that raised it last.
+  /// Raises `largest` by all clusters except `start`, which was tested before. `start` becomes the cluster
+  /// that raised it last.
   double raise_all(int& start, double largest) const {
     const int first = start;
     for (int c = 0; c < static_cast<int>(from_.clusters().size()) && !(largest > give_up_); ++c)

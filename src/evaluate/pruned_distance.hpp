@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distances of pairs of surfaces. To the bit what surface_distance gives for the same samples.
+/// Distances between pairs of surfaces, bitwise equal to those of surface_distance() for the same samples.
 
 #include <vector>
 
@@ -9,13 +9,13 @@
 
 namespace foramen::detail {
 
-/// Where to look first: clusters that held the farthest points the last time similar surfaces were compared.
-/// Changes speed alone.
+/// The clusters to test first: those that contained the farthest points in the last comparison of similar
+/// surfaces. They affect the speed only.
 struct FarthestClusters {
   int of_a = 0, of_b = 0;
 };
 
-/// What is known of distances to surface b beforehand. Changes speed alone.
+/// Known bounds of distances to surface b. They affect the speed only.
 struct KnownDistances {
   const DistanceLattice* lattice = nullptr;
   std::size_t surface = 0;
@@ -24,12 +24,13 @@ struct KnownDistances {
   }
 };
 
-/// The Hausdorff distance over samples and vertices, or some number > give_up if it is > give_up.
-/// \param at_least  a number known not to exceed the distance
+/// The Hausdorff distance over samples and vertices, mm. If it exceeds give_up, any number > give_up may be
+/// returned.
+/// \param at_least  a known lower bound of the distance
 double hausdorff_distance(const MeasuredSurface& a, const MeasuredSurface& b, double give_up,
                           FarthestClusters& start, double at_least = 0, const KnownDistances& to_b = {});
 
-/// Distances of all samples of one surface to another, mm.
+/// The distances of all samples of one surface to another, mm.
 std::vector<double> sample_distances(const MeasuredSurface& from, const MeasuredSurface& to);
 
 double mean_of(const std::vector<double>& values);

@@ -1,7 +1,7 @@
 #include "foramen/evaluate/representation.hpp"
-#include "evaluate/error_map.hpp"
 
 #include "core/parallel.hpp"
+#include "evaluate/error_map.hpp"
 #include "evaluate/stage_progress.hpp"
 #include "spatial/flips.hpp"
 #include "spatial/self_intersections.hpp"

@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
 #include "evaluate/closest_shape.hpp"
 #include "evaluate/error_archive.hpp"
 #include "evaluate/measured_surface.hpp"
 #include "evaluate/stage_progress.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/stage_store.hpp"
 
 namespace foramen {
 namespace {
@@ -22,11 +22,11 @@ using detail::MeasuredSurface;
 
 constexpr int block_draws = 5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// The table of distances is as fine as this part of the middle surface's diagonal when there are as many
-// surfaces to measure as this; for fewer it is coarser, since it has to pay for itself.
+// Spacing of the distance lattice, relative to the diagonal of the middle surface, for this many surfaces to
+// measure. For fewer surfaces the lattice is coarser, because a fine one would cost more time than it saves.
 constexpr double finest_lattice = 1.0 / 110;
 constexpr double surfaces_worth_the_finest = 5000;
-// How far drawn surfaces leave the mean, in standard deviations of a landmark.
+// Usual distance of drawn surfaces from the mean, in standard deviations of a landmark.
 constexpr double usual_deviations = 2;
 
 /// mm
@@ -47,8 +47,8 @@ void lower(std::atomic<double>& smallest, double value) {
   }
 }
 
-/// Draws against the training shapes. Shared by all threads; what one draw finds about the smallest distance
-/// of a training shape to any draw spares work in others, and the smallest number is the same in any order.
+/// Compares draws with the training shapes; shared by all threads. The smallest distance of a training shape
+/// to any draw so far saves work in later draws. The final minimum does not depend on their order.
 class Ensemble {
  public:
   Ensemble(const AlignedCohort& cohort, std::vector<int> counts, const SpecificityOptions& options,
@@ -65,7 +65,7 @@ class Ensemble {
     for (auto& s : smallest_) s.store(infinity);
   }
 
-  /// The errors of one draw at every number of modes.
+  /// The errors of one draw for every number of modes.
   std::vector<ShapeError> measure(Rng rng) {
     const Eigen::VectorXd b = model_.draw(rng);
     Eigen::VectorXd x = model_.mean();
@@ -90,7 +90,7 @@ class Ensemble {
     return errors;
   }
 
-  /// What all draws so far have found, by number of modes and shape.
+  /// The smallest distances to all draws so far, by number of modes and training shape.
   std::vector<double> found() const { return {smallest_.begin(), smallest_.end()}; }
   void found_before(const std::vector<double>& found) {
     for (std::size_t i = 0; i < found.size(); ++i) lower(smallest_[i], found[i]);
@@ -119,13 +119,13 @@ class Ensemble {
   std::vector<int> counts_;
   detail::TrainingSurfaces training_;
   std::vector<Eigen::VectorXd> landmarks_;
-  std::vector<std::atomic<double>> smallest_;  // numbers of modes x shapes
+  std::vector<std::atomic<double>> smallest_;  // one per number of modes and training shape
 };
 
-/// Draws that are measured one after another, and kept together.
+/// The results of a block of successive draws, which are stored together.
 struct DrawBlock {
-  std::vector<std::vector<ShapeError>> errors;  // of each draw at every number of modes
-  std::vector<double> found;                    // Ensemble::found() after them
+  std::vector<std::vector<ShapeError>> errors;  // errors of each draw for every number of modes
+  std::vector<double> found;                    // Ensemble::found() after these draws
 };
 
 template <class Archive>

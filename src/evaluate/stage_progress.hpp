@@ -9,7 +9,7 @@
 
 namespace foramen::detail {
 
-/// Counts finished items of a stage, from any thread.
+/// Counts the finished items of a stage and reports them. May be called from many threads at once.
 class StageProgress {
  public:
   StageProgress(const RunContext& ctx, std::string stage, int items)

@@ -14,7 +14,7 @@ namespace {
 
 /// Landmarks of every shape.
 using Landmarks = std::vector<std::vector<Vec3>>;
-/// Errors of the landmarks of one shape in all others: partners in order, landmarks in order.
+/// Errors of the landmarks of one shape on all others, in the order of partners and landmarks.
 using Errors = std::vector<double>;
 
 void check_truth(const CorrespondingCohort& cohort, const TrueCorrespondence& truth) {
@@ -30,7 +30,7 @@ void check_truth(const CorrespondingCohort& cohort, const TrueCorrespondence& tr
                          ": true meshes must have the same vertices in the same order");
 }
 
-/// Truth meshes that know how to carry a point from one to another.
+/// The true correspondence as a map of points between shapes.
 class TrueMap {
  public:
   TrueMap(const TrueCorrespondence& truth, const RunContext& ctx) : meshes_(truth.shapes.size()) {
@@ -38,7 +38,7 @@ class TrueMap {
       meshes_[s] = build_mesh({truth.shapes[s], truth.triangles});
     });
   }
-  /// Where points of shape `from` lie on its truth mesh.
+  /// The points of the truth mesh of shape `from` that are closest to the given points.
   std::vector<SurfacePoint> places(const std::vector<Vec3>& points, std::size_t from) const {
     const TriangleTree tree(meshes_[from]);
     std::vector<SurfacePoint> on;
@@ -52,7 +52,7 @@ class TrueMap {
   std::vector<Mesh> meshes_;
 };
 
-/// All landmarks of every shape carried to every other, against the landmarks there.
+/// Maps all landmarks of every shape to every other shape and compares them with the landmarks there.
 std::vector<Errors> errors_of(const Landmarks& landmarks, const TrueMap& map, const RunContext& ctx) {
   std::vector<Errors> errors(landmarks.size());
   parallel_for(static_cast<int>(landmarks.size()), ctx, [&](int shape) {
@@ -82,7 +82,8 @@ ErrorSummary summary(const std::vector<Errors>& by_shape) {
   return s;
 }
 
-/// The first shape's landmarks, carried by the true map and put onto each input surface.
+/// The landmarks of the first shape, mapped to each shape by the true correspondence and projected to its
+/// input surface.
 Landmarks carried_landmarks(const CorrespondingCohort& cohort, const TrueMap& map, const RunContext& ctx) {
   const auto places = map.places(cohort.corresponding[0], 0);
   Landmarks landmarks(cohort.corresponding.size());

@@ -8,10 +8,10 @@ namespace {
 
 struct Ending {
   ExchangeFormat format;
-  const char* text;  ///< of the output's name; readers choose by it
+  const char* text;  ///< ending of the file name, by which readers recognise the format
 };
 
-// Where several formats have the same ending, the first is meant.
+// If several formats have the same ending, the first one is the default.
 constexpr Ending endings[] = {
     {ExchangeFormat::scalismo_json, ".json"}, {ExchangeFormat::statismo, ".h5"},
     {ExchangeFormat::shapeworks, ".swproj"},  {ExchangeFormat::tps, ".tps"},
@@ -29,12 +29,14 @@ ExchangeFormat format_of(const ConvertRequest& request) {
   for (const Ending& ending : endings)
     if (extension == ending.text) return ending.format;
   if (extension == ".ply" || extension == ".vtp")
-    throw InvalidInput(request.output.string() +
-                       ": meshes go into a folder, one a shape; name it, with --to " + extension.substr(1));
+    throw InvalidInput(
+        request.output.string() + ": meshes go into a folder, one a shape; name it, and the format",
+        {{RemedyKind::choose_format, extension.substr(1)}});
   return ExchangeFormat::ply;
 }
 
-// What is written among an input's files would be taken for a part of it the next time.
+// Throws InvalidInput if the output lies in the input's folder, because the next conversion would read it as
+// a part of the input.
 void require_outside(const ConvertRequest& request) {
   namespace fs = std::filesystem;
   if (!fs::is_directory(request.input)) return;

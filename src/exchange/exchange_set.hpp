@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What files of corresponding shapes and of models have in common.
+/// The common contents of files of corresponding shapes and of models.
 
 #include <array>
 #include <optional>
@@ -12,23 +12,24 @@
 
 namespace foramen {
 
-/// LPS mm throughout.
+/// All coordinates are LPS, in mm.
 struct ExchangeSet {
   std::vector<std::string> names;
   std::vector<std::vector<Vec3>> shapes;        ///< by shape, then landmark; each in its own coordinates
-  std::vector<std::array<int, 3>> triangles;    ///< empty: points alone
-  std::vector<Eigen::Matrix4d> to_common = {};  ///< one a shape, into common coordinates; empty: not known
+  std::vector<std::array<int, 3>> triangles;    ///< empty: points without triangles
+  std::vector<Eigen::Matrix4d> to_common = {};  ///< one per shape, into common coordinates; empty: unknown
   std::optional<StatismoModel> model = std::nullopt;
-  std::vector<std::string> notes = {};
+  std::vector<Message> notes = {};
 };
 
-/// Everything that `request.input` holds. Throws InvalidInput, IoError.
+/// Reads everything in `request.input`. Throws InvalidInput or IoError.
 ExchangeSet read_exchange_set(const ConvertRequest& request);
 
-/// The model, or one of the shapes. Throws InvalidInput if it cannot be made.
+/// The model of the set, or a model made from its shapes. Throws InvalidInput if no model can be made.
 StatismoModel model_of(const ExchangeSet& set, ScaleMode scale, const std::string& command);
 
-/// Number of files written. Throws InvalidInput if the set has not what the format needs, IoError.
+/// Writes the set and returns the number of files. Throws InvalidInput if the set lacks something that the
+/// format needs, and IoError.
 std::size_t write_exchange_set(const ExchangeSet& set, const ConvertRequest& request, ExchangeFormat format,
                                const RunContext& ctx);
 

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// From RAS to LPS and back: half a turn about the third axis.
+// Converts RAS to LPS, and LPS to RAS: half a turn about the third axis.
 Eigen::Matrix4d half_turn() { return Eigen::Vector4d(-1, -1, 1, 1).asDiagonal(); }
 
 void turn(std::vector<Vec3>& points) {
@@ -34,7 +34,7 @@ bool is_ras(const fs::path& mesh) {
   return fs::exists(mesh) && read_mesh(mesh).space == AnatomicalSpace::ras;
 }
 
-// The training shapes of a model by their scores.
+// Adds the training shapes of the set's model, reconstructed from their scores.
 void add_training_shapes(ExchangeSet& set) {
   const StatismoModel& model = *set.model;
   if (std::ssize(model.shape_uris) == model.scores.cols())
@@ -53,7 +53,7 @@ void add_training_shapes(ExchangeSet& set) {
     set.notes.emplace_back("shapes are the model's own of its training shapes, in the model's coordinates");
 }
 
-// Meshes, with those of RAS turned. Which these were is returned.
+// Reads meshes and converts those in RAS to LPS. Returns for each mesh whether it was in RAS.
 std::vector<bool> read_meshes(ExchangeSet& set, const fs::path& folder, LengthUnit unit) {
   CorrespondingFolder read = read_corresponding(folder, unit);
   set.names = std::move(read.names);
@@ -71,7 +71,7 @@ std::vector<bool> read_meshes(ExchangeSet& set, const fs::path& folder, LengthUn
   return turned;
 }
 
-// The transforms of a build, from turned shapes to the turned model.
+// Adds the transforms of a build, from the shapes to the model, both after conversion to LPS.
 void add_transforms(ExchangeSet& set, const fs::path& atlas_file, const std::vector<bool>& turned,
                     bool model_turned) {
   const Atlas atlas = read_atlas(atlas_file);
@@ -91,7 +91,7 @@ ExchangeSet read_model_file(const fs::path& file) {
   ExchangeSet set;
   set.model = read_statismo(file);
   set.triangles = set.model->triangles;
-  // Of a build; what `convert` writes into its folder is in LPS.
+  // Only model.h5 of a build can be in RAS. Other files in its folder were written by `convert`, in LPS.
   if (file.filename() == "model.h5" && is_ras(file.parent_path() / "mean.ply")) {
     turn(*set.model);
     set.notes.emplace_back("the model is in RAS axes and was turned to LPS (x and y change sign)");
@@ -148,7 +148,7 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
   const std::string extension = input.extension().string();
   if (extension == ".h5" || extension == ".json") {
     if (request.unit != LengthUnit::millimetre)
-      throw InvalidInput(input.string() + ": a model is in mm; leave --units out");
+      throw InvalidInput(input.string() + ": a model is in mm; give no unit", {{RemedyKind::leave_unit_out}});
     ExchangeSet set = read_model_file(input);
     add_training_shapes(set);
     return set;
@@ -174,7 +174,8 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
 void add_triangles(ExchangeSet& set, const fs::path& mesh) {
   TriangleSoup soup = read_mesh(mesh).soup;
   if (!set.triangles.empty() || set.shapes.empty())
-    throw InvalidInput(mesh.string() + ": the input has its own triangles; leave --triangles out");
+    throw InvalidInput(mesh.string() + ": the input has its own triangles; give no mesh for them",
+                       {{RemedyKind::leave_triangles_out}});
   if (soup.points.size() != set.shapes.front().size())
     throw InvalidInput(mesh.string() + ": has " + std::to_string(soup.points.size()) +
                        " vertices, the shapes have " + std::to_string(set.shapes.front().size()) +
@@ -189,7 +190,7 @@ void check_names(const ConvertRequest& request, const ExchangeSet& set) {
   if (twin != sorted.end())
     throw InvalidInput(request.input.string() + ": two shapes have the name " + *twin + "; rename one");
   for (std::size_t i = 0; i < set.names.size(); ++i) {
-    // A name becomes a file's: it must not lead elsewhere.
+    // A shape's name becomes a file name, so it must not lead to another folder.
     if (set.names[i].empty() || fs::path(set.names[i]).filename() != set.names[i] ||
         set.names[i].front() == '.')
       throw InvalidInput(request.input.string() + ": the name of shape " + std::to_string(i + 1) +
@@ -212,9 +213,9 @@ void note_sizes(ExchangeSet& set) {
   }
   if (odd > 0)
     set.notes.push_back(
-        std::to_string(odd) + " of " + std::to_string(set.shapes.size()) +
-        " shapes are not the size of a vertebra in mm; if the input has another unit, give it with "
-        "--units");
+        {std::to_string(odd) + " of " + std::to_string(set.shapes.size()) +
+             " shapes are not the size of a vertebra in mm; if the input has another unit, give it",
+         {{RemedyKind::give_unit}}});
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ void require_shapes(const ExchangeSet& set, const ConvertRequest& request) {
 
 void require_triangles(const std::vector<std::array<int, 3>>& triangles) {
   if (triangles.empty())
-    throw InvalidInput(
-        "the input holds points without triangles; give a mesh whose vertices they are with --triangles");
+    throw InvalidInput("the input holds points without triangles; give a mesh whose vertices they are",
+                       {{RemedyKind::give_triangles}});
 }
 
 std::vector<NamedPoints> named_points(const ExchangeSet& set) {
@@ -35,7 +35,8 @@ std::vector<NamedPoints> named_points(const ExchangeSet& set) {
   return points;
 }
 
-// Shapes of another set left in the folder would be taken for shapes of this one.
+// Throws InvalidInput if the folder holds other shapes, because readers would take them for shapes of this
+// set.
 void prepare_folder(const fs::path& folder, const std::vector<std::string>& names,
                     const std::string& extension) {
   fs::create_directories(folder);
@@ -72,7 +73,8 @@ std::vector<Eigen::Matrix4d> common_transforms(const ExchangeSet& set, ScaleMode
   return transforms;
 }
 
-// Every particle is a vertex of the groomed mesh. The project comes last: what it names is there.
+// Every particle is a vertex of the groomed mesh. The project is written last, when all files that it names
+// exist.
 std::size_t write_project(const ExchangeSet& set, const ConvertRequest& request, const RunContext& ctx) {
   require_triangles(set.triangles);
   const auto transforms = common_transforms(set, request.scale);

@@ -6,7 +6,8 @@
 namespace foramen::extract {
 namespace {
 
-// Which axis of the map runs along each of L, P, S, and whether backwards.
+// For each of the directions L, P, S: the axis of the map that is nearest to it, and whether the axis is
+// reversed.
 struct Reordering {
   std::array<int, 3> source{0, 1, 2};
   std::array<bool, 3> reversed{};
@@ -30,7 +31,7 @@ Reordering nearest_to_lps(const Mat3& axes) {
 
 using Offset = std::array<int, 3>;
 
-// Neighbours across a face; and across an edge too.
+// Offsets of the 6 neighbours across faces, with `edges` also of the 12 across edges.
 std::vector<Offset> neighbour_offsets(bool edges) {
   std::vector<Offset> offsets;
   for (int k = -1; k <= 1; ++k)
@@ -42,7 +43,8 @@ std::vector<Offset> neighbour_offsets(bool edges) {
   return offsets;
 }
 
-// Numbers the component of a voxel in `number`, where the voxels of that value of `inside` are still 0.
+// Writes `value` to `number` for the component of the voxel `seed`, whose voxels have the number 0 so far;
+// returns its size.
 std::int64_t flood(const BinaryVolume& volume, std::vector<std::int32_t>& number, const Offset& seed,
                    std::int32_t value, const std::vector<Offset>& offsets) {
   const std::uint8_t kind = volume.inside[volume.index(seed[0], seed[1], seed[2])];
@@ -80,7 +82,7 @@ BinaryVolume binary_volume(const LabelMap& map, int label, const LabelExtent& ex
   const Reordering order = nearest_to_lps(map.axes);
   BinaryVolume volume;
   volume.origin = map.origin;
-  std::array<int, 3> start{}, step{};  // in the map, by axis of the volume
+  std::array<int, 3> start{}, step{};  // in indices of the map, by axis of the volume
   for (std::size_t a = 0; a < 3; ++a) {
     const std::size_t s = order.source[a];
     const int low = extent.low[s], high = extent.high[s];

@@ -9,7 +9,7 @@ namespace foramen::extract {
 namespace {
 
 using Triangles = std::vector<std::array<int, 3>>;
-using Loop = std::vector<int>;  // of cube edges
+using Loop = std::vector<int>;  // indices of cube edges
 constexpr int edges = 12, no_edge = -1;
 constexpr unsigned configurations = 256;
 
@@ -18,8 +18,7 @@ int edge_between(int corner, int axis) {
   return 4 * axis + bit(axis + 1) + 2 * bit(axis + 2);
 }
 
-// The edges of one face in turn, counter-clockwise seen from outside the cube, each with the corner it is
-// left from.
+// The corners and edges of one face, counter-clockwise seen from outside the cube.
 struct FaceWalk {
   std::array<int, 4> corner, edge;  // edge[k] runs from corner[k] to corner[k + 1]
 };
@@ -51,7 +50,9 @@ Vec3 middle(int edge) {
   return p;
 }
 
-// On every face each way into the inside is joined with the way out before it, round the outside between.
+// For each cut edge, the next cut edge of the loop. On every face, an edge at which the walk enters the
+// inside is joined with the preceding edge at which it left the inside, so the segment goes around the
+// outside corners between them.
 std::array<int, edges> successors(unsigned inside) {
   std::array<int, edges> next{};
   next.fill(no_edge);
@@ -69,8 +70,9 @@ std::array<int, edges> successors(unsigned inside) {
   return next;
 }
 
-// The triangulation of least sum of squared diagonals (between the edges' middles) of a loop's part
-// first..last, without diagonals in a face; nothing if there is none.
+// The triangulation of the part first..last of a loop with the least sum of squared diagonals, measured
+// between midpoints of edges. No diagonal may lie in a face of the cube; nullopt if there is no such
+// triangulation.
 struct Triangulation {
   double cost = 0;
   Triangles triangles;
@@ -130,7 +132,7 @@ const Triangles& cube_triangles(unsigned inside, EdgeContact contact) {
     for (unsigned c = 0; c < all.size(); ++c) all[c] = triangles_of(c);
     return all;
   }();
-  // Inside and outside change places.
+  // The tables of `apart` are those of `joined` with inside and outside exchanged.
   static const Table apart = [] {
     Table all;
     for (unsigned c = 0; c < all.size(); ++c)

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to extract: the triangles that separate the corners of a cube, for every choice of corners.
+/// Private to extract: the triangles that separate the inside corners of a cube from the outside ones.
 
 #include <array>
 #include <vector>
@@ -13,18 +13,18 @@ namespace foramen::extract {
 /// and v are its coordinates along the axes (a + 1) % 3 and (a + 2) % 3.
 struct CubeEdge {
   int axis;
-  std::array<int, 3> from;  ///< its lower corner
+  std::array<int, 3> from;  ///< the corner at its lower end
 };
 CubeEdge cube_edge(int edge);
 
-/// Triangles as edges of the cube, wound outward, for the corners whose bits are set in `inside`. Every edge
-/// between an inside and an outside corner carries one vertex.
+/// The triangles for the inside corners given by the bits of `inside`, wound outward. Their vertices are
+/// given by cube edges: each edge between an inside and an outside corner has one vertex.
 ///
-/// The vertices on a face of the cube are joined by what that face alone shows, so two cubes agree on their
-/// common face: where two opposite corners of a face are inside and two are not, `contact` says whether the
-/// inside is joined across the face. The loops that these segments form are triangulated without a diagonal
-/// between two edges of one face, so a diagonal is in no other cube. So the triangles of all cubes of a
-/// lattice form a closed 2-manifold whatever the corners are.
+/// The vertices on a face are joined by segments that depend on the corners of this face only, so two cubes
+/// agree on their common face. If two opposite corners of a face are inside and the others are not, `contact`
+/// decides whether the inside is connected across the face. The segments form loops, which are triangulated
+/// without diagonals between two edges of one face, so no other cube has the same diagonal. Therefore the
+/// triangles of all cubes of a lattice form a closed 2-manifold for any corners.
 const std::vector<std::array<int, 3>>& cube_triangles(unsigned inside, EdgeContact contact);
 
 }  // namespace foramen::extract

@@ -15,12 +15,12 @@ namespace {
 
 using extract::BinaryVolume;
 
-// The label's voxels under one reading of contacts along edges.
+// The voxels of a label and their surface under one interpretation of contacts along edges.
 struct Reading {
   BinaryVolume volume;
   extract::Cleaning cleaning;
   EdgeContact contact = EdgeContact::joined;
-  TriangleSoup surface;  // in voxel coordinates
+  TriangleSoup surface;  // in voxel coordinates, not smoothed
   int genus = 0;
 };
 
@@ -30,13 +30,13 @@ Reading read_voxels(const BinaryVolume& voxels, EdgeContact contact) {
   reading.contact = contact;
   reading.cleaning = keep_largest_component(reading.volume, contact);
   reading.surface = voxel_surface(reading.volume, contact);
-  // Closed, so that every triangle has three halves of an edge: V - E + F = V - F / 2.
+  // On a closed surface every triangle has three half-edges, so V - E + F = V - F / 2.
   const auto euler = std::ssize(reading.surface.points) - std::ssize(reading.surface.triangles) / 2;
   reading.genus = static_cast<int>((2 - euler) / 2);
   return reading;
 }
 
-// The reading whose genus is nearer to a vertebra's.
+// The interpretation whose genus is nearer to 1, that of a vertebra.
 Reading best_reading(const BinaryVolume& voxels, bool keep_cut) {
   Reading joined = read_voxels(voxels, EdgeContact::joined);
   const auto is_cut = [&](const Reading& r) { return !r.cleaning.cut_at.empty() && !keep_cut; };
@@ -44,7 +44,8 @@ Reading best_reading(const BinaryVolume& voxels, bool keep_cut) {
     std::string sides;
     for (const std::string& side : joined.cleaning.cut_at) sides += (sides.empty() ? "" : ", ") + side;
     throw InvalidInput("it reaches the border of the label map (" + sides +
-                       "), so the vertebra is cut off; leave it out, or take it as it is with --keep-cut");
+                           "), so the vertebra is cut off; do without it, or take it as it is",
+                       {{RemedyKind::keep_cut}});
   }
   if (joined.genus == 1) return joined;
   Reading apart = read_voxels(voxels, EdgeContact::apart);
@@ -52,7 +53,8 @@ Reading best_reading(const BinaryVolume& voxels, bool keep_cut) {
   return nearer && !is_cut(apart) ? apart : joined;
 }
 
-// Distances of the surface (vertices along the lattice's axes) and the voxels' boundary.
+// Distances between the surface and the boundary of the voxels, both in coordinates along the axes of the
+// lattice.
 SurfaceDistance deviation(TriangleSoup surface, TriangleSoup boundary, const Vec3& surface_scale,
                           const Vec3& boundary_scale) {
   for (Vec3& p : surface.points) p = p.cwiseProduct(surface_scale);
@@ -75,8 +77,9 @@ ExtractionReport report_on(const Reading& reading) {
   return report;
 }
 
-// Takes the surface from voxel coordinates to mm along the lattice's axes, smooths it and measures it. Where
-// the voxels are blocks, smoothing goes to its bound in most places: the bound is then lowered.
+// Converts the surface from voxel coordinates to mm along the axes of the lattice, smooths it and measures
+// its deviation. If the label map was upsampled to blocks of equal voxels, most vertices reach the bound of
+// smoothing; the bound is lowered then.
 void smooth(ExtractedSurface& result, const Reading& reading, const ExtractOptions& options) {
   constexpr double accepted_p95 = 0.5, lowered = 0.9;
   const Vec3 spacing = reading.volume.spacing();

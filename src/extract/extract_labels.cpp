@@ -11,9 +11,9 @@
 namespace foramen {
 namespace {
 
-// What is to be done with the labels of a map.
+// The labels of a map by what is done with them.
 struct Plan {
-  std::vector<int> wanted;  // and present
+  std::vector<int> wanted;  // wanted labels that the map contains
   std::vector<int> missing_singles, missing_of_ranges, unnamed;
 };
 
@@ -47,18 +47,18 @@ std::string labels_in(const std::map<int, LabelExtent>& present) {
 
 std::string plural(std::size_t count, const char* one, const char* many) { return count == 1 ? one : many; }
 
-std::string none_wanted(const std::map<int, LabelExtent>& present, const LabelRequest& request) {
-  if (present.empty()) return "holds no label: every voxel is 0; give the label map, not the image";
+Message none_wanted(const std::map<int, LabelExtent>& present, const LabelRequest& request) {
+  if (present.empty()) return {"holds no label: every voxel is 0; give the label map, not the image"};
   const std::string found = "it holds " + labels_in(present);
   if (request.labels)
-    return "holds none of the labels " + request.labels->text() + "; " + found +
-           ": choose among them with --labels";
-  return "holds no label that has a name; " + found +
-         ": choose among them with --labels, or say what they are with --numbering or --label-names";
+    return {"holds none of the labels " + request.labels->text() + "; " + found + ": choose among them",
+            {{RemedyKind::choose_labels}}};
+  return {"holds no label that has a name; " + found + ": choose among them, or say what they are",
+          {{RemedyKind::choose_labels}, {RemedyKind::name_labels}}};
 }
 
 // What became of voxels that a user may miss.
-void note_changes(const LabelSurface& surface, std::vector<std::string>& notes) {
+void note_changes(const LabelSurface& surface, std::vector<Message>& notes) {
   const ExtractionReport& s = surface.extracted.report;
   constexpr double worth_saying = 0.001;
   const auto all = static_cast<double>(s.voxels + s.lost_voxels);
@@ -81,25 +81,26 @@ LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelReque
   const auto present = find_labels(map);
   const Plan plan = plan_for(present, request);
   const std::string name = file.filename().string();
-  if (plan.wanted.empty()) throw InvalidInput(file.string() + ": " + none_wanted(present, request));
+  if (plan.wanted.empty()) throw InvalidInput(none_wanted(present, request).about(file.string()));
 
   const auto stem_of = [&](int label) { return label_map_stem(file) + "_" + name_of(request.names, label); };
   std::set<std::string> stems;
   for (const int label : plan.wanted)
     if (!stems.insert(stem_of(label)).second)
       throw InvalidInput(file.string() + ": two labels would be named " + stem_of(label) +
-                         ": rename one in the file of --label-names");
+                             ": rename one in the file that names them",
+                         {{RemedyKind::rename_labels}});
 
   LabelSurfaces result;
   result.sha256 = map.sha256;
-  std::vector<std::variant<std::monostate, ExtractedSurface, std::string>> outcomes(plan.wanted.size());
+  std::vector<std::variant<std::monostate, ExtractedSurface, Message>> outcomes(plan.wanted.size());
   parallel_for(static_cast<int>(plan.wanted.size()), ctx, [&](int i) {
     const std::size_t at = i;
     const int label = plan.wanted[at];
     try {
       outcomes[at] = extract_label(map, label, present.at(label), request.surface);
     } catch (const InvalidInput& e) {
-      outcomes[at] = std::string(e.what());
+      outcomes[at] = message_of(e);
     }
   });
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -110,22 +111,24 @@ LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelReque
       note_changes(result.surfaces.back(), result.notes);
     } else {
       result.refused.push_back({label, name_of(request.names, label), stem_of(label),
-                                std::get<std::string>(std::move(outcomes[i])), false});
+                                std::get<Message>(std::move(outcomes[i])), false});
     }
   }
   for (const int label : plan.missing_singles)
     result.refused.push_back({label, name_of(request.names, label), stem_of(label),
-                              "the label map has no such label; it holds " + labels_in(present), true});
+                              Message("the label map has no such label; it holds " + labels_in(present),
+                                      {{RemedyKind::choose_labels}}),
+                              true});
   std::sort(result.refused.begin(), result.refused.end(),
             [](const RefusedLabel& a, const RefusedLabel& b) { return a.label < b.label; });
   if (!plan.missing_of_ranges.empty())
     result.notes.push_back(name + ": has no " + plural(plan.missing_of_ranges.size(), "label ", "labels ") +
                            listed(plan.missing_of_ranges) + " of those asked for");
   if (!plan.unnamed.empty())
-    result.notes.push_back(name + ": " + plural(plan.unnamed.size(), "label ", "labels ") +
-                           listed(plan.unnamed) + plural(plan.unnamed.size(), " has", " have") +
-                           " no name and were not taken: choose with --labels, or say what they are with "
-                           "--numbering or --label-names");
+    result.notes.push_back({name + ": " + plural(plan.unnamed.size(), "label ", "labels ") +
+                                listed(plan.unnamed) + plural(plan.unnamed.size(), " has", " have") +
+                                " no name and were not taken: choose among them, or say what they are",
+                            {{RemedyKind::choose_labels}, {RemedyKind::name_labels}}});
   return result;
 }
 

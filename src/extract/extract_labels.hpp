@@ -9,13 +9,14 @@
 
 #include "extract/label_names.hpp"
 #include "extract/label_selection.hpp"
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/extract/extract_label.hpp"
 
 namespace foramen {
 
 struct LabelRequest {
-  std::optional<LabelSelection> labels = std::nullopt;  ///< Unset: every label that has a name.
+  std::optional<LabelSelection> labels = std::nullopt;  ///< Unset: all labels that have a name.
   LabelNames names = label_names(LabelNumbering::verse);
   ExtractOptions surface = {};
 };
@@ -27,11 +28,11 @@ struct LabelSurface {
   ExtractedSurface extracted;
 };
 
-/// A wanted label without a surface, and why.
+/// A wanted label for which no surface was extracted, and why.
 struct RefusedLabel {
   int label = 0;
   std::string name, stem;
-  std::string reason;
+  Message reason;
   bool absent = false;  ///< named singly and not in the label map
 };
 
@@ -39,12 +40,12 @@ struct LabelSurfaces {
   std::string sha256;                  ///< of the label map, see LabelMap
   std::vector<LabelSurface> surfaces;  ///< in order of label
   std::vector<RefusedLabel> refused;   ///< the same
-  std::vector<std::string> notes;      ///< what the user should know though it is no error
+  std::vector<Message> notes;          ///< what the user should know though it is no error
 };
 
-/// Reads the label map and extracts its labels in parallel. A wanted label that is absent is noted if it
-/// belongs to a range and refused if it was named singly. Throws IoError as read_label_map() does;
-/// InvalidInput if the map holds none of the wanted labels.
+/// Reads the label map and extracts the surfaces of its labels in parallel. A wanted label that is absent is
+/// refused if it was named singly; if it belongs to a range, a note is made. Throws IoError as
+/// read_label_map() does, and InvalidInput if the map contains none of the wanted labels.
 LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelRequest& request,
                              const RunContext& ctx);
 

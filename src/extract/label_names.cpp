@@ -10,7 +10,7 @@
 namespace foramen {
 namespace {
 
-// Prefix1, Prefix2 ... at successive labels from `first` on, or at descending ones.
+// Adds the names Prefix1, Prefix2 ... for the labels first, first + step ...; step is 1 or -1.
 void add_series(LabelNames& names, const std::string& prefix, int count, int first, int step) {
   for (int i = 0; i < count; ++i) names[first + step * i] = prefix + std::to_string(i + 1);
 }

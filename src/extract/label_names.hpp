@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the numbers of a label map stand for.
+/// The names of the labels of a label map.
 
 #include <filesystem>
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace foramen {
 
-/// Names by label.
+/// Maps labels to names.
 using LabelNames = std::map<int, std::string>;
 
 enum class LabelNumbering {
@@ -18,12 +18,12 @@ enum class LabelNumbering {
 
 const LabelNames& label_names(LabelNumbering numbering);
 
-/// Reads a CSV file with the columns label and name, e.g. "20,L1". Names become parts of file names: letters,
-/// digits and - _ . are allowed. Throws IoError naming file and row: a label that is no whole number 1 ..
-/// 65535, a name of other characters, a label or a name twice.
+/// Reads a CSV file with the columns label and name, e.g. "20,L1". Names become parts of file names, so only
+/// letters, digits and - _ . are allowed. Throws IoError with the file and the row: a label that is not a
+/// whole number 1 .. 65535, a name with other characters, or a label or name that occurs twice.
 LabelNames read_label_names(const std::filesystem::path& path);
 
-/// The label's name; "label37" where there is none.
+/// The name of a label, or e.g. "label37" if it has none.
 std::string name_of(const LabelNames& names, int label);
 
 }  // namespace foramen

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which labels of a label map are wanted.
+/// A selection of labels of a label map.
 
 #include <string>
 #include <string_view>
@@ -8,26 +8,26 @@
 
 namespace foramen {
 
-/// Labels as one writes them: "20-24,3".
+/// Labels and ranges of labels, written as "20-24,3".
 class LabelSelection {
  public:
   struct Range {
     int first = 1, last = 1;  ///< 1 .. 65535, first <= last
   };
-  /// Whole numbers and ranges, separated by commas. Throws InvalidInput naming the part that is neither.
+  /// Parses whole numbers and ranges separated by commas. Throws InvalidInput with the part that is neither.
   static LabelSelection parse(std::string_view text);
   const std::vector<Range>& ranges() const { return ranges_; }
   bool contains(int label) const;
-  /// Whether the label was named by itself, so that its absence is a mistake.
+  /// Whether the label was named by itself and not by a range, so that its absence is an error.
   bool named_singly(int label) const;
-  /// "20-24,3": as it was written.
+  /// The selection as it was written, e.g. "20-24,3".
   std::string text() const;
 
  private:
   std::vector<Range> ranges_;
 };
 
-/// "3, 20-24" for sorted labels: runs of at least three as ranges.
+/// Sorted labels as text, e.g. "3, 20-24". Runs of at least three labels become ranges.
 std::string listed(const std::vector<int>& labels);
 
 }  // namespace foramen

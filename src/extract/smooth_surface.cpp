@@ -23,9 +23,9 @@ class Smoother {
     }
   }
 
-  // One step down the gradient of sum_i |u_i|^2, where the transpose of the umbrella is taken as the umbrella
-  // itself (vertices have about equally many neighbours). The operator's square has eigenvalues up to 4: a
-  // step below 1/2 makes nothing grow.
+  // One step of gradient descent on sum_i |u_i|^2, where u = U x with the umbrella operator U. U is used in
+  // place of its transpose, which is nearly the same because vertices have similar valences. U^2 has
+  // eigenvalues up to 4, so no mode grows with a step below 1/2.
   void descend() {
     constexpr double step = 0.45;
     const std::vector<Vec3> bend = umbrellas(umbrellas(points_));
@@ -33,7 +33,8 @@ class Smoother {
     put_back();
   }
 
-  // Moves the surface along its normals until it encloses that volume, as far as the balls allow.
+  // Moves the surface along its normals until it encloses `volume`, as far as the bound of displacements
+  // allows.
   void reach_volume(double volume) {
     constexpr int most_steps = 20;
     constexpr double accepted = 1e-5;
@@ -48,9 +49,10 @@ class Smoother {
     }
   }
 
-  // Halves the way of the vertices where the surface meets itself and of their neighbours, and in the end
-  // takes it back, until it meets itself no more: at the latest where it began. Returns how many are
-  // concerned.
+  // Removes self-intersections. As long as there are any, the displacements of the vertices of intersecting
+  // triangles and of their neighbours are halved, and after several halvings set to zero. This terminates,
+  // because the initial surface has no self-intersections. Returns the number of vertices that were moved
+  // back.
   int part() {
     std::vector<char> restrained(points_.size(), 0);
     constexpr int halvings = 6;

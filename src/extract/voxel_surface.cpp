@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t most_vertices = 20000000;
 
-// The vertices on the edges that leave a voxel in the positive direction, for two neighbouring layers of
-// voxels: all that a layer of cubes needs.
+// Indices of the vertices on the lattice edges that leave a voxel in positive directions. Two successive
+// layers of voxels are kept, since a layer of cubes needs no others.
 class EdgeVertices {
  public:
   explicit EdgeVertices(const BinaryVolume& volume)
@@ -29,7 +29,7 @@ class EdgeVertices {
   std::vector<int> vertices_;
 };
 
-// Vertices on the edges that leave the voxels of a layer.
+// Adds the vertices on the lattice edges that leave the voxels of layer k in positive directions.
 void add_vertices(const BinaryVolume& volume, int k, EdgeVertices& edges, std::vector<Vec3>& points) {
   for (int j = 0; j < volume.size[1]; ++j)
     for (int i = 0; i < volume.size[0]; ++i)

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-// Models are named by their folders, or as they were given where two folders have one name.
+// A model has the name of its folder. If two folders have the same name, their paths are used as given.
 std::vector<std::string> names_of(const std::vector<fs::path>& models) {
   std::vector<std::string> names, given;
   for (const fs::path& model : models) {
@@ -47,7 +47,7 @@ std::string table_text(const ReportTable& table) {
   return out + "\n";
 }
 
-// One row a figure, one column a model.
+// A row of the table: its title, and the text for a model. Each model has a column.
 using Figure = std::pair<std::string, std::function<std::string(const Evaluation&)>>;
 
 ReportTable figures(const std::string& title, const std::string& note,
@@ -80,7 +80,8 @@ ReportTable single_figures(const std::vector<NamedEvaluation>& models) {
        {"truth95", [](const Evaluation& e) { return e.truth ? fixed(e.truth->error.p95, 3) : "-"; }}});
 }
 
-// A model that lost variance or detail is specific: its specificity is not to be seen without them.
+// A model that lost variance or detail has a low specificity. Therefore, the table shows specificity together
+// with variance and representation error.
 ReportTable specificity_in_context(const std::vector<NamedEvaluation>& models) {
   const auto specificity = [](Estimate ErrorsAtModes::*which) {
     return [which](const Evaluation& e) {

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// For each shape of one evaluation the same shape of another.
+// For each shape of one evaluation, the index of the shape with the same name in another one.
 using Partners = std::vector<std::size_t>;
 
 std::string why_not_paired(const NamedEvaluation& first, const NamedEvaluation& second) {
@@ -56,7 +56,7 @@ std::vector<double> sums_by_subject(const std::vector<double>& differences,
   return sums;
 }
 
-// Calls found(first, second) for every number of modes that both have.
+// Calls found(first, second) for every number of modes that both lists contain.
 template <class Found>
 void at_common_modes(const std::vector<ErrorsAtModes>& first, const std::vector<ErrorsAtModes>& second,
                      const Found& found) {
@@ -65,7 +65,7 @@ void at_common_modes(const std::vector<ErrorsAtModes>& first, const std::vector<
       if (a.modes == b.modes) found(a, b);
 }
 
-/// \param subjects  empty: every shape changes sign by itself
+/// \param subjects  the subject of each shape; empty: every shape is a subject of its own
 MeasureDifference paired_generalization(const std::string& name, const Generalization& first,
                                         const Generalization& second, const Partners& partner,
                                         double ShapeError::*error, const std::vector<std::string>& subjects) {

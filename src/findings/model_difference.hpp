@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What one model is better or worse by than another, shape by shape where that is possible.
+/// Differences of two models in the measures, paired over shapes if possible.
 
 #include <optional>
 #include <string>
@@ -15,15 +15,15 @@ namespace foramen {
 struct DifferenceAtModes {
   std::optional<int> modes;       ///< unset: the measure does not depend on it
   Estimate difference;            ///< second model minus first, mm
-  std::optional<double> p_value;  ///< of the paired differences; unset: not paired
+  std::optional<double> p_value;  ///< for paired differences; unset if not paired
 };
 
 struct MeasureDifference {
   std::string name;
-  std::vector<DifferenceAtModes> by_modes;  ///< the numbers of modes that both models have
+  std::vector<DifferenceAtModes> by_modes;  ///< for the numbers of modes that both models have
 };
 
-/// Measures that belong in one table.
+/// Measures that are shown in one table.
 struct DifferenceGroup {
   std::string name, note;
   std::vector<MeasureDifference> measures;
@@ -31,15 +31,16 @@ struct DifferenceGroup {
 
 struct ModelDifference {
   std::string first, second;
-  std::string why_not_paired;  ///< empty: paired
+  std::string why_not_paired;  ///< empty if the differences are paired
   std::vector<DifferenceGroup> groups;
 };
 
-/// Paired over shapes: generalization, leave one out, and representation: mean difference, its standard error
-/// s / sqrt(n), and paired_p_value(); and leave one subject out, where both know the same subjects: there the
-/// shapes of a subject change sign together. Not paired: specificity, with the two-sample standard error
-/// sqrt(se_1^2 + se_2^2). Without the same names of shapes, or the same treatment of size, specificity alone.
-/// \pre the evaluations hold the items of shapes (read_metrics_of_shapes)
+/// Leave-one-out generalization and representation are paired over shapes: the result has the mean
+/// difference, its standard error s / sqrt(n), and paired_p_value(). Leave-one-subject-out generalization is
+/// paired as well if both models have the same subjects; in its test, all shapes of a subject change sign
+/// together. Specificity is not paired and has the two-sample standard error sqrt(se_1^2 + se_2^2). If the
+/// models differ in the names of their shapes or in the treatment of size, only specificity is compared. \pre
+/// the evaluations hold the values of each shape (read_metrics_of_shapes())
 ModelDifference model_difference(const NamedEvaluation& first, const NamedEvaluation& second);
 
 std::vector<ReportTable> difference_tables(const ModelDifference& difference);

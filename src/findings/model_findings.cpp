@@ -2,7 +2,6 @@
 
 #include "findings/model_report.hpp"
 #include "findings/papers.hpp"
-#include "modelfiles/model_record.hpp"
 
 namespace foramen {
 namespace {
@@ -17,22 +16,21 @@ int modes_of(const Evaluation& evaluation) {
   return evaluation.compactness.empty() ? 0 : evaluation.compactness.back().modes;
 }
 
-std::string flips_line(const ordered_json& run, const Evaluation& evaluation) {
+std::string flips_line(const RunRecord& run, const Evaluation& evaluation) {
   int map_flips = 0, plain = 0, confirmed = 0;
-  for (const ordered_json& shape : run.at("shapes"))
-    if (is_used(shape) && !shape.at("flips_in_map").is_null())
-      map_flips += shape.at("flips_in_map").get<int>();
+  for (const RunShape& shape : run.shapes)
+    if (shape.used) map_flips += shape.used->flips_in_map.value_or(0);
   for (const ShapeRepresentation& r : evaluation.representation.shapes) {
     plain += r.plain_flips;
     confirmed += r.confirmed_flips;
   }
-  const std::size_t triangles = evaluation.names.size() * run.at("landmark_triangles").get<std::size_t>();
+  const std::size_t triangles = evaluation.names.size() * static_cast<std::size_t>(run.landmark_triangles);
   return "flipped triangles: " + std::to_string(map_flips) + " in the maps; " + std::to_string(confirmed) +
          " confirmed and " + std::to_string(plain) + " plain of " + std::to_string(triangles) +
          " in the sampled meshes";
 }
 
-std::string self_intersections_line(const ordered_json& run, const Evaluation& evaluation) {
+std::string self_intersections_line(const RunRecord& run, const Evaluation& evaluation) {
   int sampled = 0, input = 0;
   for (const ShapeRepresentation& r : evaluation.representation.shapes) {
     sampled += r.self_intersections;
@@ -40,7 +38,7 @@ std::string self_intersections_line(const ordered_json& run, const Evaluation& e
   }
   std::string line =
       "self-intersecting pairs of triangles: " + std::to_string(sampled) + " in the sampled meshes, ";
-  if (const int before = run.value("self_intersections_before_mending", 0); before > 0)
+  if (const int before = run.self_intersections_before_mending; before > 0)
     line += std::to_string(before) + " before they were mended, ";
   return line + std::to_string(input) + " in the inputs";
 }
@@ -67,13 +65,12 @@ std::string refit_line(const RefitGeneralization& refit, std::size_t shapes) {
 
 }  // namespace
 
-std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation& evaluation) {
+std::vector<std::string> summary_lines(const RunRecord& run, const Evaluation& evaluation) {
   const std::size_t used = evaluation.names.size();
   std::vector<std::string> lines;
-  lines.push_back(std::to_string(used) + " of " + std::to_string(run.at("shapes").size()) +
-                  " shapes used, reference " + run.at("reference").get<std::string>() + ", " +
-                  std::to_string(evaluation.landmarks) + " landmarks (" +
-                  run.at("landmarks_inserted").dump() + " inserted by refinement), " +
+  lines.push_back(std::to_string(used) + " of " + std::to_string(run.shapes.size()) +
+                  " shapes used, reference " + run.reference + ", " + std::to_string(evaluation.landmarks) +
+                  " landmarks (" + std::to_string(run.landmarks_inserted) + " inserted by refinement), " +
                   std::to_string(modes_of(evaluation)) + " modes");
   lines.push_back(flips_line(run, evaluation));
   lines.push_back(self_intersections_line(run, evaluation));
@@ -98,7 +95,7 @@ std::vector<std::string> summary_lines(const ordered_json& run, const Evaluation
   return lines;
 }
 
-ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) {
+ReportTable shapes_table(const RunRecord& run, const Evaluation& evaluation) {
   ReportTable table{
       "Representation and flips",
       "Distances of the corresponding mesh to the input surface. Flipped triangles: of the map "
@@ -108,37 +105,35 @@ ReportTable shapes_table(const ordered_json& run, const Evaluation& evaluation) 
        "confirmed flips", "self-int.", "of input", "distortion"},
       {}};
   std::size_t i = 0;
-  for (const ordered_json& shape : run.at("shapes")) {
-    if (!is_used(shape)) continue;
+  for (const RunShape& shape : run.shapes) {
+    if (!shape.used) continue;
     const ShapeRepresentation& r = evaluation.representation.shapes.at(i++);
-    table.rows.push_back(
-        {shape.at("name").get<std::string>(), shape.at("status").get<std::string>(),
-         fixed(r.distance.mean, 3), fixed(r.distance.p95, 3), fixed(r.distance.hausdorff, 2),
-         text_of(shape.at("flips_in_map")), std::to_string(r.plain_flips), std::to_string(r.confirmed_flips),
-         std::to_string(r.self_intersections), std::to_string(r.input_self_intersections),
-         shape.contains("distortion") ? fixed(shape.at("distortion").get<double>(), 2) : "-"});
+    table.rows.push_back({shape.name, std::string(word_of(shape.status)), fixed(r.distance.mean, 3),
+                          fixed(r.distance.p95, 3), fixed(r.distance.hausdorff, 2),
+                          shape.used->flips_in_map ? std::to_string(*shape.used->flips_in_map) : "-",
+                          std::to_string(r.plain_flips), std::to_string(r.confirmed_flips),
+                          std::to_string(r.self_intersections), std::to_string(r.input_self_intersections),
+                          shape.used->map ? fixed(shape.used->map->distortion, 2) : "-"});
   }
   return table;
 }
 
-ReportTable left_out_table(const ordered_json& run) {
+ReportTable left_out_table(const RunRecord& run) {
   ReportTable table{"Left out", "", {"shape", "reason"}, {}};
-  for (const ordered_json& shape : run.at("shapes"))
-    if (!is_used(shape))
-      table.rows.push_back({shape.at("name").get<std::string>(), shape.at("reason").get<std::string>()});
+  for (const RunShape& shape : run.shapes)
+    if (!shape.used) table.rows.push_back({shape.name, shape.reason});
   return table;
 }
 
-ReportTable repairs_table(const ordered_json& run) {
+ReportTable repairs_table(const RunRecord& run) {
   ReportTable table{
       "Repaired",
       "These files could not be used as they are. Their distances are measured to the repaired surface, "
       "which differs from the file's at the places named.",
       {"shape", "changes"},
       {}};
-  for (const ordered_json& shape : run.at("shapes"))
-    if (shape.contains("repair"))
-      table.rows.push_back({shape.at("name").get<std::string>(), shape.at("reason").get<std::string>()});
+  for (const RunShape& shape : run.shapes)
+    if (shape.used && shape.used->repair) table.rows.push_back({shape.name, shape.reason});
   return table;
 }
 
@@ -156,9 +151,9 @@ ReportTable refit_failures_table(const Evaluation& evaluation) {
   return table;
 }
 
-ReportTable options_table(const ordered_json& run) {
+ReportTable options_table(const RunRecord& run) {
   ReportTable table{"Options", "", {"option", "value"}, {}};
-  for (const auto& [key, value] : run.at("options").items()) {
+  for (const auto& [key, value] : run.options.by_name().items()) {
     if (!value.is_object())
       table.rows.push_back({key, text_of(value)});
     else
@@ -168,22 +163,19 @@ ReportTable options_table(const ordered_json& run) {
   return table;
 }
 
-ReportTable inputs_table(const ordered_json& run) {
+ReportTable inputs_table(const RunRecord& run) {
   ReportTable table{"Inputs", "", {"file", "sha256"}, {}};
-  for (const ordered_json& input : run.at("inputs"))
-    table.rows.push_back({input.at("file").get<std::string>(), input.at("sha256").get<std::string>()});
+  for (const RunInput& input : run.inputs) table.rows.push_back({input.file, input.sha256});
   return table;
 }
 
-ReportTable papers_table(const ordered_json& run) {
+ReportTable papers_table(const RunRecord& run) {
   ReportTable table{"Papers", "", {"paper", "used for"}, {}};
-  for (const Paper& paper : papers_used(run.at("options")))
+  for (const Paper& paper : papers_used(run.options))
     table.rows.push_back({std::string(paper.citation), std::string(paper.used_for)});
   return table;
 }
 
-std::string made_by(const ordered_json& run) {
-  return "foramen " + run.at("version").get<std::string>() + ": " + run.at("command").get<std::string>();
-}
+std::string made_by(const RunRecord& run) { return "foramen " + run.version + ": " + run.command; }
 
 }  // namespace foramen

@@ -7,14 +7,14 @@
 namespace foramen {
 namespace {
 
-// One measure over the number of modes.
+// A point of the curve of one measure over the number of modes.
 struct CurvePoint {
   int modes;
   Estimate value;
 };
 struct Measure {
   std::string file_stem, title, y_label;
-  bool is_mean = true;  // of distances in mm, with a standard error
+  bool is_mean = true;  // whether the measure is a mean of distances in mm, with a standard error
   std::function<std::vector<CurvePoint>(const Evaluation&)> points;
 };
 
@@ -68,7 +68,7 @@ const std::vector<Measure>& measures() {
   return all;
 }
 
-// What was measured of one of these models at least.
+// The measures that at least one of these models has.
 std::vector<Measure> measures_of(const std::vector<NamedEvaluation>& evaluations) {
   std::vector<Measure> measured;
   for (const Measure& measure : measures())

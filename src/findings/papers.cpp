@@ -1,7 +1,5 @@
 #include "findings/papers.hpp"
 
-#include <nlohmann/json.hpp>
-
 namespace foramen {
 namespace {
 
@@ -17,8 +15,7 @@ constexpr Paper erickson{
 // \cite brett2000
 constexpr Paper brett{
     "A. D. Brett, C. J. Taylor: Construction of 3D Shape Models of Femoral Articular Cartilage Using "
-    "Harmonic "
-    "Maps. MICCAI 2000",
+    "Harmonic Maps. MICCAI 2000",
     "the baseline: landmarks carried to closest points"};
 // \cite fuhrmann2010
 constexpr Paper fuhrmann{
@@ -44,11 +41,11 @@ constexpr Paper davies{
 
 }  // namespace
 
-std::vector<Paper> papers_used(const nlohmann::ordered_json& options) {
+std::vector<Paper> papers_used(const RunOptions& options) {
   std::vector<Paper> papers{becker, erickson};
-  if (options.at("method") == "icp") papers.push_back(brett);
+  if (options.method() == Method::icp) papers.push_back(brett);
   papers.insert(papers.end(), {fuhrmann, gower, cootes});
-  if (options.at("objective") == "description") papers.push_back(thodberg);
+  if (options.objective() == "description") papers.push_back(thodberg);
   papers.push_back(davies);
   return papers;
 }

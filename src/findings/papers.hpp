@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
+#include "modelfiles/run_file.hpp"
 
 namespace foramen {
 
@@ -11,7 +11,7 @@ struct Paper {
   std::string_view citation, used_for;
 };
 
-/// What a model rests on, by the options of its run record.
-std::vector<Paper> papers_used(const nlohmann::ordered_json& options);
+/// What a model rests on, by the options of its build.
+std::vector<Paper> papers_used(const RunOptions& options);
 
 }  // namespace foramen

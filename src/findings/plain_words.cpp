@@ -9,8 +9,6 @@
 namespace foramen {
 namespace {
 
-using nlohmann::ordered_json;
-
 constexpr double most_variation = 0.8;  // what the named modes hold together
 constexpr double named_sd = 2;          // 95 % of a normal distribution
 
@@ -26,7 +24,7 @@ std::size_t subject_count(const Evaluation& evaluation) {
 
 Statement what_it_is(const ModelRecord& record) {
   const Evaluation& evaluation = record.evaluation;
-  const std::size_t used = evaluation.names.size(), left_out = record.run.at("shapes").size() - used;
+  const std::size_t used = evaluation.names.size(), left_out = record.run.shapes.size() - used;
   std::string text =
       "A statistical model of the shape of vertebrae, learnt from " + std::to_string(used) + " vertebrae";
   if (const std::size_t subjects = subject_count(evaluation); subjects > 0)
@@ -40,7 +38,7 @@ Statement what_it_is(const ModelRecord& record) {
   return {"What this is", text};
 }
 
-// Largest displacement of a landmark by so many standard deviations of a mode, mm.
+// The largest displacement of a landmark [mm] at named_sd standard deviations of a mode.
 double reach(const ShapeModel& model, int mode) {
   const auto displacements = unflattened(model.basis().col(mode) * std::sqrt(model.variance()[mode]));
   double largest = 0;
@@ -64,7 +62,7 @@ Statement how_they_differ(const ModelRecord& record) {
   if (named > 1)
     text += "The first " + std::to_string(named) + " together hold " +
             percent(model.variance().head(named).sum() / total) + ". ";
-  text += record.run.at("options").at("scale") == "keep"
+  text += record.run.options.scale() == ScaleMode::keep
               ? "Size counts as a part of shape."
               : "All shapes were brought to one size first: the model does not know size.";
   return {"How the shapes differ", text};
@@ -88,10 +86,10 @@ std::string about_flips(const ModelRecord& record) {
   const Evaluation& evaluation = record.evaluation;
   int in_maps = 0, sampled = 0;
   bool maps = true;
-  for (const ordered_json& shape : record.run.at("shapes"))
-    if (is_used(shape)) {
-      maps = maps && !shape.at("flips_in_map").is_null();
-      if (!shape.at("flips_in_map").is_null()) in_maps += shape.at("flips_in_map").get<int>();
+  for (const RunShape& shape : record.run.shapes)
+    if (shape.used) {
+      maps = maps && shape.used->flips_in_map.has_value();
+      in_maps += shape.used->flips_in_map.value_or(0);
     }
   for (const ShapeRepresentation& r : evaluation.representation.shapes) sampled += r.confirmed_flips;
   const std::size_t triangles = evaluation.names.size() * record.loaded.model.triangles().size();

@@ -7,13 +7,13 @@
 
 namespace foramen {
 
-/// One thing worth knowing about a model.
+/// One statement about a model.
 struct Statement {
   std::string heading, text;
 };
 
-/// What the model is, how its shapes differ, how exact it is and how far it can be trusted, for readers who
-/// know vertebrae and no statistics.
+/// Statements about what the model is, how its shapes differ, how accurate it is and how reliable it is, for
+/// readers who know vertebrae but no statistics.
 std::vector<Statement> in_plain_words(const ModelRecord& record);
 
 }  // namespace foramen

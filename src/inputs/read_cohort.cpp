@@ -34,7 +34,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// Files that a folder may stand for.
+// The files that are read if a folder is given.
 struct Kind {
   const char* what;
   bool meshes, label_maps;
@@ -48,7 +48,7 @@ struct Kind {
 constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
     shape_files{"mesh file and no label map", true, true};
 
-// std::filesystem reports through std::filesystem_error, which names no remedy.
+// Throws IoError instead of std::filesystem_error, whose message does not say what to do.
 std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
   std::error_code failed;
   std::vector<fs::path> found;
@@ -72,16 +72,16 @@ std::string millimetres(double value) {
 void require_plausible_size(double diagonal, LengthUnit unit, bool unit_is_known) {
   const double mm = diagonal * millimetres_per(unit);
   if (mm >= smallest_diagonal_mm && mm <= largest_diagonal_mm) return;
-  std::string message =
-      "the bounding box has a diagonal of " + millimetres(mm) + " mm; a vertebra has 20 to 250 mm";
+  Message message("the bounding box has a diagonal of " + millimetres(mm) +
+                  " mm; a vertebra has 20 to 250 mm");
   if (unit_is_known)
-    message += ": a part of one, or more than one";
+    message.text += ": a part of one, or more than one";
   else if (const auto likely = likely_unit(diagonal))
-    message += ": the file is probably in " + std::string(name(*likely)) + ", give --units " +
-               std::string(name(*likely));
+    message.append({": the file is probably in " + std::string(name(*likely)) + ", give this unit",
+                    {{RemedyKind::give_unit, std::string(name(*likely))}}});
   else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm &&
            diagonal <= largest_diagonal_mm)
-    message += ": the file is probably in mm, leave --units out";
+    message.append({": the file is probably in mm, give no unit", {{RemedyKind::leave_unit_out}}});
   throw InvalidInput(message);
 }
 
@@ -91,7 +91,7 @@ TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
   return soup;
 }
 
-// The shape that this one is a copy of; null if there is none.
+// A shape of the list with the same surface as this one; null if there is none.
 const InputShape* same_surface(const InputShape& shape, const std::vector<InputShape>& others) {
   const auto found = std::find_if(others.begin(), others.end(), [&](const InputShape& other) {
     const auto a = shape.mesh.positions(), b = other.mesh.positions();
@@ -101,7 +101,8 @@ const InputShape* same_surface(const InputShape& shape, const std::vector<InputS
   return found == others.end() ? nullptr : &*found;
 }
 
-// What names a file's shapes: equal ones clash. A label map's shapes have longer names than it.
+// Two files with equal results here would have shapes of the same name. The flag tells meshes and label maps
+// apart, because the names of a label map's shapes are longer than its stem.
 std::pair<std::string, bool> stem_of(const fs::path& file) {
   const bool label_map = is_label_map(file);
   return {label_map ? label_map_stem(file) : file.stem().string(), label_map};
@@ -148,7 +149,7 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{file.stem().string(), file.filename().string(), {}, e.what()};
+      result = LeftOut{file.stem().string(), file.filename().string(), {}, message_of(e)};
     }
   });
   for (auto& result : results) {
@@ -164,9 +165,8 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
   }
 }
 
-// Adds the labels of one label map after the other to a cohort, so that one at a time is in memory. Their
-// surfaces are made here, with the handles that noise of single voxels leaves: they are repaired whether or
-// not it is asked for.
+// Adds the labels of the label maps to a cohort, one map after the other, so that only one is in memory.
+// Surfaces of labels are always repaired, because noise of single voxels may leave handles on them.
 class LabelMapReader {
  public:
   LabelMapReader(const LabelRequest& request, const std::optional<RepairOptions>& repair, Cohort& cohort)
@@ -180,12 +180,12 @@ class LabelMapReader {
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      cohort_.left_out.push_back({label_map_stem(file), name, {}, e.what()});
+      cohort_.left_out.push_back({label_map_stem(file), name, {}, message_of(e)});
       return;
     }
     for (const RefusedLabel& refused : labels.refused) {
       cohort_.left_out.push_back({refused.stem, name, labels.sha256, refused.reason, refused.label});
-      if (refused.absent) absent_.emplace(refused.label, file.string() + ": " + refused.reason);
+      if (refused.absent) absent_.emplace(refused.label, refused.reason.about(file.string()));
     }
     for (LabelSurface& label : labels.surfaces) {
       present_.insert(label.label);
@@ -196,10 +196,10 @@ class LabelMapReader {
     cohort_.notes.insert(cohort_.notes.end(), labels.notes.begin(), labels.notes.end());
   }
 
-  // A label that was named singly and is nowhere is a mistake of the command.
+  // Throws InvalidInput if a label that was given by itself, not in a range, is in no label map.
   void require_singles() const {
     for (const auto& [label, reason] : absent_)
-      if (!present_.contains(label)) throw InvalidInput("--labels " + std::to_string(label) + ": " + reason);
+      if (!present_.contains(label)) throw InvalidInput(reason.about("label " + std::to_string(label)));
   }
 
  private:
@@ -215,14 +215,14 @@ class LabelMapReader {
       cohort_.shapes.push_back(usable_shape(std::move(shape), std::move(label.extracted.surface),
                                             LengthUnit::millimetre, repair_, ctx));
     } catch (const InvalidInput& e) {
-      cohort_.left_out.push_back({label.stem, file_name, sha256, e.what(), label.label});
+      cohort_.left_out.push_back({label.stem, file_name, sha256, message_of(e), label.label});
     }
   }
 
   const LabelRequest& request_;
   const std::optional<RepairOptions> repair_;
   Cohort& cohort_;
-  std::map<int, std::string> absent_;
+  std::map<int, Message> absent_;
   std::set<int> present_;
 };
 
@@ -245,7 +245,8 @@ std::string source_of(const LeftOut& shape) { return source_text(shape.file_name
 
 RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
                             const RunContext& ctx) {
-  // Stray pieces may make it too large for a vertebra, but not so that another unit fits.
+  // Stray pieces may make the bounding box too large for a vertebra. The unit is refused only if another one
+  // would fit.
   const double diagonal = inspect_mesh(raw).box.diagonal();
   if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit, false);
   RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);
@@ -258,7 +259,7 @@ InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
                         const std::optional<RepairOptions>& repair, const RunContext& ctx) {
   const MeshReport report = inspect_mesh(surface);
   if (const auto obstacle = obstacle_to_model(report)) {
-    if (!repair) throw TopologyError(obstacle->finding + "; " + obstacle->remedy);
+    if (!repair) throw TopologyError(obstacle->message());
     RepairedMesh repaired = repair_surface(std::move(surface), unit, *repair, ctx);
     shape.repair = std::move(repaired.report);
     shape.mesh = std::move(repaired.mesh);
@@ -282,9 +283,9 @@ InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional
   try {
     return usable_shape(std::move(shape), std::move(read.soup), unit, repair, ctx);
   } catch (const TopologyError& e) {
-    throw TopologyError(file.string() + ": " + e.what());
+    throw TopologyError(message_of(e).about(file.string()));
   } catch (const InvalidInput& e) {
-    throw InvalidInput(file.string() + ": " + e.what());
+    throw InvalidInput(message_of(e).about(file.string()));
   }
 }
 

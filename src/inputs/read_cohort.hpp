@@ -15,69 +15,71 @@
 
 namespace foramen {
 
-/// A surface fit for a model: one closed, manifold, genus-1 component, wound outward, in mm.
+/// A surface that can be used for a model: one closed, manifold component of genus 1, wound outward, in mm.
 struct InputShape {
   std::string
-      stem;  ///< file name without extension, and for a label _ and its name; names the shape everywhere
+      stem;  ///< file name without extension, plus _ and the label's name if there is one; the shape's name
   std::string file_name;  ///< with extension, without folder
   std::string sha256;     ///< of the file's bytes
   AnatomicalSpace space = AnatomicalSpace::lps;
   bool was_inward = false;                  ///< the file's triangles were wound inward and have been reversed
-  std::optional<int> label = std::nullopt;  ///< of a label map
-  ExtractionReport extraction = {};         ///< if so
-  std::optional<RepairReport> repair =
-      std::nullopt;  ///< what was changed, if the surface as it is could not be used
+  std::optional<int> label = std::nullopt;  ///< set if the shape comes from a label map
+  ExtractionReport extraction = {};         ///< set if the shape comes from a label map
+  std::optional<RepairReport> repair = std::nullopt;  ///< the changes, if the surface had to be repaired
   Mesh mesh;
 };
 
-/// A shape that takes no part, and why.
+/// An input that is not used, and why.
 struct LeftOut {
   std::string stem, file_name, sha256;
-  std::string reason;                       ///< finding and remedy
+  Message reason;                           ///< what was found and what to do
   std::optional<int> label = std::nullopt;  ///< of a label map; unset also for a whole label map
 };
 
-/// Where a shape comes from, for people: "L1.ply", or "verse004.nii.gz, label 20".
+/// The origin of a shape, as text for users: "L1.ply", or "verse004.nii.gz, label 20".
 std::string source_of(const InputShape& shape);
 std::string source_of(const LeftOut& shape);
 
 struct Cohort {
   std::vector<InputShape> shapes;  ///< in order of stem
   std::vector<LeftOut> left_out;
-  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  std::vector<Message> notes;  ///< what the user should know though it is no error
 };
 
-/// The mesh files meant by files and folders (a folder means the mesh files directly in it), in order of
-/// stem. Throws InvalidInput: no such path, a folder without meshes, two inputs with the same stem.
+/// The mesh files that these inputs name, in order of stem. A folder stands for the mesh files directly in
+/// it. Throws InvalidInput for a path that does not exist, a folder without meshes, or two files with the
+/// same stem.
 std::vector<std::filesystem::path> find_meshes(const std::vector<std::filesystem::path>& inputs);
 
-/// The same for mesh files and label maps. A mesh and a label map may have the same stem, since the label
-/// map's shapes have longer ones.
+/// As find_meshes(), for mesh files and label maps. A mesh and a label map may have the same stem, because
+/// the names of a label map's shapes are longer than its stem.
 std::vector<std::filesystem::path> find_shape_files(const std::vector<std::filesystem::path>& inputs);
-/// The same for label maps alone.
+/// As find_meshes(), for label maps.
 std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesystem::path>& inputs);
 
-/// Reads and audits each file: meshes in that unit, and of label maps the labels asked for. What cannot be
-/// used is left out with its reason; nothing is thrown for one bad file. Throws InvalidInput if two shapes
-/// have the same stem, or if a label named singly is in none of the label maps. \param repair  set: what the
-/// audit refuses is repaired; surfaces of labels are in any case
+/// Reads and audits each file: meshes in the given unit, and the requested labels of label maps. A surface
+/// that cannot be used is left out with its reason; a bad file is no reason to throw. Throws InvalidInput if
+/// two shapes have the same stem, or if a label that was requested by itself is in no label map.
+/// \param repair  if set, surfaces that the audit refuses are repaired. Surfaces of labels are always
+/// repaired.
 Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx,
                    const LabelRequest& labels = {},
                    const std::optional<RepairOptions>& repair = std::nullopt);
 
-/// The surface as that of a shape whose other members are set; repaired, if that is asked for and needed.
-/// Throws InvalidInput with the reason if it cannot be used. Surfaces of files and of labels both come
-/// through here.
+/// Returns the shape with this surface, audited, and repaired if repair is requested and necessary. The other
+/// members of the shape are already set. Throws InvalidInput with the reason if the surface cannot be used.
+/// Both surfaces of files and surfaces of labels are checked by this function.
 InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
                         const std::optional<RepairOptions>& repair = std::nullopt,
                         const RunContext& ctx = RunContext());
 
-/// A raw surface repaired, in mm. Throws InvalidInput as repair_mesh does, and where the size is that of no
-/// vertebra in this unit.
+/// Repairs a raw surface and converts it to mm. Throws InvalidInput as repair_mesh() does, and if no vertebra
+/// has this size in this unit.
 RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
                             const RunContext& ctx);
 
-/// One surface fit for a model, or the reason why not as an InvalidInput or IoError.
+/// Reads one surface that can be used for a model. Throws InvalidInput or IoError with the reason if it
+/// cannot be used.
 InputShape read_shape(const std::filesystem::path& file, LengthUnit unit,
                       const std::optional<RepairOptions>& repair = std::nullopt,
                       const RunContext& ctx = RunContext());

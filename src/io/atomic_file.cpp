@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <string>
@@ -36,15 +37,20 @@ class Descriptor {
   int fd_;
 };
 
+std::string host_name() {
+  std::array<char, 65> name{};  // Linux has no longer ones
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
 constexpr std::string_view temporary_mark = ".foramen-tmp";
 
-// Unique within this process by the counter, between processes by the process id. The extension stays, since
-// some libraries choose the format by it.
+// Unique within this process by the counter, between processes by the process id, and between machines that
+// share the folder by the host's name. The extension stays, since some libraries choose the format by it.
 fs::path temporary_beside(const fs::path& path) {
   static std::atomic<unsigned> counter{0};
   std::string name = ".";
   name += path.stem().string();
-  name += '.' + std::to_string(::getpid()) + '-' + std::to_string(counter++);
+  name += '.' + host_name() + '-' + std::to_string(::getpid()) + '-' + std::to_string(counter++);
   name += temporary_mark;
   name += path.extension().string();
   return path.parent_path() / name;
@@ -66,15 +72,15 @@ void flush_to_disk(const fs::path& path, int flags) {
   if (!file.open() || ::fsync(file.get()) != 0) fail(path, "cannot be flushed to disk", errno);
 }
 
-// The rename itself must reach the disk too. Some file systems cannot flush a folder: then nothing is lost
-// but that.
+// Flushes the rename to disk. Some file systems cannot flush a folder; the file is complete all the same, so
+// a failure here is ignored.
 void flush_folder(const fs::path& path) {
   const Descriptor folder(path.has_parent_path() ? path.parent_path() : fs::path("."),
                           O_RDONLY | O_DIRECTORY);
   if (folder.open()) ::fsync(folder.get());
 }
 
-// Removes the temporary unless it was renamed.
+// Removes the temporary file unless it was renamed.
 class Temporary {
  public:
   explicit Temporary(const fs::path& target) : target_(target), path_(temporary_beside(target)) {}

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Files that appear whole or not at all.
+/// Writes files atomically: a reader finds the complete new file or the old state, never a part.
 
 #include <filesystem>
 #include <functional>
@@ -8,15 +8,16 @@
 
 namespace foramen {
 
-/// Writes beside `path` (same folder, hidden temporary name), flushes to disk, then renames over it. On any
-/// error the temporary is removed, `path` is untouched and IoError is thrown.
+/// Writes a hidden temporary file in the folder of `path`, flushes it to disk and renames it to `path`. On
+/// any error the temporary file is removed, `path` stays as it was and IoError is thrown.
 void write_file(const std::filesystem::path& path, std::string_view contents);
 
-/// The same for a library that insists on writing a file by name: `write` is given the temporary's path.
+/// The same for a library that writes only to a file name: `write` gets the path of the temporary file.
 void write_file_with(const std::filesystem::path& path,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
-/// Removes what these left in a folder when their process was killed. \pre nothing is being written there
+/// Removes the temporary files that a killed process left in a folder. \pre no process is writing in the
+/// folder
 void remove_leftovers(const std::filesystem::path& folder);
 
 }  // namespace foramen

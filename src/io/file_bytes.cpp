@@ -142,7 +142,7 @@ std::string_view name(AnatomicalSpace space) { return space == AnatomicalSpace::
 
 void SoupBuilder::expect(std::uint64_t points, std::uint64_t triangles, std::uint64_t bytes_left,
                          std::uint64_t point_bytes, std::uint64_t triangle_bytes) {
-  // Halfedges are numbered with int: three per triangle.
+  // Halfedges have int indices and there are three per triangle.
   constexpr std::uint64_t most = std::numeric_limits<int>::max() / 3;
   if (points > most || triangles > most)
     source_.refuse("its header announces " + std::to_string(points) + " vertices and " +

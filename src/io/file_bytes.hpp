@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: a file's bytes in memory, and cursors over them that never leave them.
+/// Private to io: the bytes of a file in memory and cursors that never read outside them.
 
 #include <bit>
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace foramen::io_detail {
 
-/// The bytes of one file and the name that errors give it.
+/// The bytes of one file and the name of the file for error messages.
 struct Source {
   std::string name;
   std::string_view bytes;
@@ -30,23 +30,24 @@ std::uintmax_t require_readable(const std::filesystem::path& path);
 /// The whole file. Throws IoError if it is not a regular file, cannot be read or is empty.
 std::string read_bytes(const std::filesystem::path& path);
 
-/// Part of a file as an error may show it: in quotes, at most 40 characters, nothing that a terminal would
-/// obey.
+/// Part of a file for an error message: in quotes, at most 40 characters, without control characters that a
+/// terminal would obey.
 std::string in_quotes(std::string_view text);
 
-/// A whole token as a number; nothing if it is none or out of range. "nan" and "inf" are numbers here.
+/// Parses the whole token as a number; nullopt if it is none or out of range. "nan" and "inf" count as
+/// numbers.
 std::optional<double> to_number(std::string_view token);
 std::optional<std::int64_t> to_integer(std::string_view token);
 
 std::string lower_case(std::string_view text);
 
-/// Lines ended by LF or CRLF.
+/// A cursor over lines that end with LF or CRLF.
 class LineCursor {
  public:
   explicit LineCursor(std::string_view bytes) : bytes_(bytes) {}
-  /// The next line; false at the end.
+  /// Goes to the next line; false at the end.
   bool next();
-  /// The next line with something on it.
+  /// Goes to the next line that is not blank; false at the end.
   bool next_filled();
   std::string_view line() const { return line_; }
   /// "line 12"
@@ -61,13 +62,13 @@ class LineCursor {
   std::size_t offset_ = 0, number_ = 0;
 };
 
-/// The words of a line.
+/// A cursor over the words of a line.
 class TokenCursor {
  public:
   explicit TokenCursor(std::string_view line) : rest_(line) {}
   /// The next word; empty at the end.
   std::string_view next();
-  /// What is left, without blanks at both ends.
+  /// The rest of the line without blanks at its ends.
   std::string_view rest() const;
 
  private:
@@ -76,7 +77,7 @@ class TokenCursor {
 
 enum class ByteOrder { little, big };
 
-/// Fixed-size values from bytes.
+/// A cursor that reads fixed-size binary values.
 class ByteCursor {
  public:
   ByteCursor(std::string_view bytes, std::size_t offset, ByteOrder order)
@@ -114,7 +115,7 @@ void append_little_endian(std::string& out, T value) {
     out += static_cast<char>(bytes[std::endian::native == std::endian::little ? i : sizeof(T) - 1 - i]);
 }
 
-/// Collects the SPACE tag of a file; refuses an unknown or a contradicting one.
+/// Collects the SPACE tag of a file; refuses an unknown tag and two tags that contradict each other.
 class SpaceTag {
  public:
   void see(const Source& source, std::string_view text);
@@ -127,12 +128,14 @@ class SpaceTag {
 /// "LPS" or "RAS".
 std::string_view name(AnatomicalSpace space);
 
-/// Points and triangles being read; checks each as it comes. `place` names it in errors, e.g. "line 7".
+/// Collects the points and triangles that a reader finds and checks each of them. `place` returns the
+/// position in the file for error messages, e.g. "line 7".
 class SoupBuilder {
  public:
   explicit SoupBuilder(const Source& source) : source_(source) {}
-  /// Refuses counts that ids cannot hold or for which the file is too small, then reserves. `bytes_left` is
-  /// what follows the header; a point and a triangle need at least so many bytes each.
+  /// Reserves memory for the numbers that a header states. Refuses numbers that do not fit the ids or for
+  /// which the file is too small. `bytes_left` is the size of the data after the header; `point_bytes` and
+  /// `triangle_bytes` are the least sizes of one point and one triangle.
   void expect(std::uint64_t points, std::uint64_t triangles, std::uint64_t bytes_left,
               std::uint64_t point_bytes, std::uint64_t triangle_bytes);
   template <class Place>
@@ -140,7 +143,7 @@ class SoupBuilder {
     if (!p.allFinite()) refuse_point(place());
     soup_.points.push_back(p);
   }
-  /// Corners must exist among `point_count` points.
+  /// Refuses a corner that is not an index of one of `point_count` points.
   template <class Place>
   void add_triangle(const std::array<std::int64_t, 3>& t, std::uint64_t point_count, const Place& place) {
     for (std::int64_t corner : t)
@@ -153,7 +156,7 @@ class SoupBuilder {
   /// \param written  the index as it stands in the file
   [[noreturn]] void refuse_corner(std::int64_t written, std::uint64_t point_count,
                                   const std::string& place) const;
-  /// The finished soup. Refuses one without triangles.
+  /// Returns the finished soup; refuses one without triangles.
   TriangleSoup take();
 
  private:
@@ -162,7 +165,7 @@ class SoupBuilder {
   TriangleSoup soup_;
 };
 
-/// What to do about a file that ends early or has too much.
+/// Remedies that several readers name in their errors.
 inline constexpr const char* remedy_export_again =
     "the file is damaged or was cut off: export or copy it again";
 inline constexpr const char* remedy_triangulate =
@@ -170,7 +173,7 @@ inline constexpr const char* remedy_triangulate =
 inline constexpr const char* remedy_other_format =
     "export the surface as a triangle mesh in PLY, STL, OBJ or OFF";
 
-/// Refuses a face that is no triangle.
+/// Refuses a face that is not a triangle.
 [[noreturn]] void refuse_polygon(const Source& source, const std::string& place, std::uint64_t corners);
 
 }  // namespace foramen::io_detail

@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// HDF5 files of ours and of others: few kinds of content, written so that the same values give the same
-/// bytes (no times, contiguous, a layout that HDF5 1.8 and jHDF read), and read with every size checked
-/// before memory is taken.
+/// Reads and writes the few kinds of HDF5 content that foramen uses. The same values always give the same
+/// bytes: no time stamps, contiguous storage, a layout that HDF5 1.8 and jHDF read. The reader checks every
+/// size before it allocates memory.
 ///
-/// The HDF5 library is not safe to use from several threads at once, not even on different files: use these
-/// classes, and read_statismo and write_statismo, from one thread at a time.
+/// The HDF5 library is not thread-safe, not even for different files. Use these classes, read_statismo() and
+/// write_statismo() from one thread at a time.
 ///
-/// Paths are absolute ("/model/mean"); missing groups on the way are made. All numbers are stored little
+/// Paths are absolute ("/model/mean"); the writer creates the groups of a path. All numbers are stored little
 /// endian.
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct H5Matrix {
   std::vector<T> values;  ///< rows * cols, value (i, j) at i * cols + j
 };
 
-/// Row by row in double precision, and back.
+/// Conversion from an Eigen matrix, and back.
 H5Matrix<double> h5_matrix(const Eigen::MatrixXd& matrix);
 Eigen::MatrixXd eigen_matrix(const H5Matrix<double>& matrix);
 Eigen::MatrixXd eigen_matrix(const H5Matrix<float>& matrix);
@@ -38,7 +38,8 @@ Eigen::MatrixXd eigen_matrix(const H5Matrix<float>& matrix);
 /// T is float, double or std::int32_t throughout.
 class H5Writer {
  public:
-  /// A file in memory; the path names it in errors. Throws IoError, as all members do when HDF5 refuses.
+  /// Begins a file in memory; the path serves for error messages only. All members throw IoError if the HDF5
+  /// library reports an error.
   explicit H5Writer(const std::filesystem::path& path);
   ~H5Writer();
   H5Writer(const H5Writer&) = delete;
@@ -54,14 +55,14 @@ class H5Writer {
   /// Rank 2. Throws InvalidInput unless there are rows * cols values.
   template <class T>
   void matrix(const std::string& path, const H5Matrix<T>& values);
-  /// Dataspace SCALAR, fixed length with the final NUL; ASCII, or UTF-8 where the text is not. Throws
-  /// InvalidInput if the text holds a NUL.
+  /// Dataspace SCALAR, fixed length including the final NUL; marked as ASCII if the text is ASCII, otherwise
+  /// as UTF-8. Throws InvalidInput if the text contains a NUL.
   void string(const std::string& path, std::string_view text);
-  /// Rank 1, all as long as the longest.
+  /// Rank 1; all elements have the length of the longest text.
   void strings(const std::string& path, std::span<const std::string> texts);
   /// A string attribute of an existing group or dataset. Dataspace SIMPLE (1), fixed length, NUL at its end.
   void attribute(const std::string& path, const std::string& name, std::string_view text);
-  /// The file as it stands.
+  /// The bytes of the file written so far.
   std::string bytes() const;
 
  private:
@@ -69,11 +70,11 @@ class H5Writer {
   std::unique_ptr<File> file_;
 };
 
-/// Calls `write` with a writer and puts what it has written in its place, whole or not at all (write_file()).
+/// Calls `write` with a writer and writes the finished file to `path` atomically (see write_file()).
 void write_h5(const std::filesystem::path& path, const std::function<void(H5Writer&)>& write);
 
-/// Every member throws IoError naming file, path and what was found: not there, another kind, rank or type, a
-/// size that the file cannot hold, links and data that lead out of the file.
+/// Every member throws IoError with the file, the path and what was found: a missing object, another kind,
+/// rank or type, a size larger than the file can hold, or links and data that lead to another file.
 class H5Reader {
  public:
   explicit H5Reader(const std::filesystem::path& path);
@@ -86,8 +87,8 @@ class H5Reader {
   std::vector<std::string> children(const std::string& group) const;
   /// Sizes of a dataset; empty for SCALAR.
   std::vector<std::size_t> shape(const std::string& path) const;
-  /// One number: SCALAR or of one element. Integers are never read from floating point numbers; what does not
-  /// fit T is clipped.
+  /// One number, from a SCALAR dataset or one of a single element. An integer is never read from
+  /// floating-point data; a value out of the range of T is clipped to it.
   template <class T>
   T scalar(const std::string& path) const;
   template <class T>
@@ -99,7 +100,7 @@ class H5Reader {
   std::vector<std::string> strings(const std::string& path) const;
   bool has_attribute(const std::string& path, const std::string& name) const;
   std::string attribute(const std::string& path, const std::string& name) const;
-  /// "file: path: found; remedy", for callers that find the content wanting.
+  /// Throws IoError "file: path: found; remedy", for callers that cannot use the content.
   [[noreturn]] void refuse(const std::string& path, const std::string& found) const;
 
  private:
@@ -108,15 +109,15 @@ class H5Reader {
 };
 
 namespace io_detail {
-/// Calls `read` in a copy of this process and throws IoError if that crashes or takes more seconds of the
-/// processor. An exception of `read` is neither.
+/// Calls `read` in a forked copy of this process. Throws IoError if the copy crashes or needs more than
+/// `most_seconds` of CPU time. An exception thrown by `read` counts as survival.
 void require_survival(const std::filesystem::path& path, const std::function<void()>& read,
                       int most_seconds = 60);
 }  // namespace io_detail
 
-/// What `read` returns, called with a reader of the file. On some damaged files the HDF5 library crashes or
-/// never ends, so `read` is called in a process of its own before, and the file is refused (IoError) if that
-/// does not survive. \pre `read` has no effect but its result
+/// Returns what `read` returns for a reader of the file. The HDF5 library crashes or never returns on some
+/// damaged files, so `read` is first called in a process of its own; if that does not survive, the file is
+/// refused (IoError). \pre `read` has no effect other than its result
 template <class Read>
 auto read_h5(const std::filesystem::path& path, const Read& read) {
   const auto open_and_read = [&] {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: HDF5's handles and errors.
+/// Private to io: handles and error messages of the HDF5 library.
 
 #include <hdf5.h>
 
@@ -11,7 +11,7 @@
 
 namespace foramen::io_detail {
 
-/// Owns an HDF5 identifier. Invalid (negative) ones may be held and tested.
+/// Owns an HDF5 identifier, which may be invalid (negative).
 class H5Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -23,7 +23,7 @@ class H5Handle {
   H5Handle& operator=(H5Handle&&) = delete;
   operator hid_t() const { return id_; }
   bool valid() const { return id_ >= 0; }
-  /// Closes it; false if HDF5 reports an error.
+  /// Closes the identifier; false if HDF5 reports an error.
   bool reset() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
 
  private:
@@ -31,7 +31,7 @@ class H5Handle {
   Close close_;
 };
 
-/// Keeps HDF5 from printing its errors while it lives, and restores what was set before.
+/// Switches off the error messages that HDF5 prints, and restores the former setting when it is destroyed.
 class H5Silence {
  public:
   H5Silence() {
@@ -47,14 +47,14 @@ class H5Silence {
   void* data_ = nullptr;
 };
 
-/// By how much a file in memory grows at a time, bytes.
+/// The number of bytes by which a file in memory grows at a time.
 inline constexpr std::size_t h5_memory_step = 1 << 20;
 
-/// A name for a file in memory: no file on disk can have it, and no other in memory has (HDF5 would take two
-/// of one name for the same).
+/// A unique name for a file in memory. HDF5 takes two open files of the same name for one file, so no other
+/// file in memory and no file on disk may have it.
 std::string h5_memory_name();
 
-/// The innermost reason of the last error, as HDF5 words it.
+/// The innermost message of the last HDF5 error.
 std::string h5_reason();
 
 template <class T>

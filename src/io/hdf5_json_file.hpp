@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// The contents of an HDF5 file as JSON, in the layout of the HDF Group's hdf5-json that Scalismo writes
-/// beside HDF5: groups, numbers and texts. The same members as H5Writer and H5Reader, so that what is written
-/// through one is written through the other.
+/// The content of an HDF5 file (groups, numbers and texts) as JSON, in the hdf5-json layout of the HDF Group,
+/// which Scalismo reads and writes. The classes have the same members as H5Writer and H5Reader, so that one
+/// template serves both formats.
 
 #include <array>
 #include <cstdint>
@@ -18,8 +18,8 @@
 
 namespace foramen {
 
-/// T is float, double or std::int32_t throughout. Identifiers are made from paths: the same values give the
-/// same text.
+/// T is float, double or std::int32_t throughout. Identifiers of objects are hashes of their paths, so the
+/// same values give the same text.
 class H5JsonWriter {
  public:
   H5JsonWriter();
@@ -34,9 +34,10 @@ class H5JsonWriter {
   void matrix(const std::string& path, const H5Matrix<T>& values);
   /// Throws InvalidInput if the text is not UTF-8.
   void string(const std::string& path, std::string_view text);
-  /// A text of an existing group: SCALAR, since Scalismo takes no text from a list.
+  /// A text attribute of an existing group. It is SCALAR, because Scalismo does not read a text from a list
+  /// of one.
   void attribute(const std::string& path, const std::string& name, std::string_view text);
-  /// The file as it stands.
+  /// The text of the file written so far.
   std::string text() const;
 
  private:
@@ -47,10 +48,10 @@ class H5JsonWriter {
   };
   void dataset(const std::string& path, Object object);
 
-  std::map<std::string, Object> objects_;  // by path; the root's is empty
+  std::map<std::string, Object> objects_;  // by path; the path of the root is empty
 };
 
-/// Every member throws IoError naming file, path and what was found.
+/// Every member throws IoError with the file, the path and what was found.
 class H5JsonReader {
  public:
   explicit H5JsonReader(const std::filesystem::path& path);
@@ -61,7 +62,7 @@ class H5JsonReader {
   bool has(const std::string& path) const;
   /// Names in a group, in alphabetical order.
   std::vector<std::string> children(const std::string& group) const;
-  /// One number, or a list of one. Integers are never read from other numbers.
+  /// One number, or a list of one number. An integer is read only from a number without fraction.
   template <class T>
   T scalar(const std::string& path) const;
   template <class T>

@@ -25,7 +25,7 @@ struct H5JsonReader::File {
                   "; the file is damaged or of another kind: export it again");
   }
 
-  // A member of an object; refuses where there is none.
+  // The member `key` of an object; refuses the file if there is none.
   const ordered_json& member(const ordered_json& object, const char* key, const std::string& path) const {
     if (!object.is_object() || !object.contains(key))
       refuse(path, std::string("has no ") + key + ", as HDF5 in JSON would have");
@@ -38,7 +38,8 @@ struct H5JsonReader::File {
     return text.get<std::string>();
   }
 
-  // From the root, along links. Each group is reached once: links that lead back would lead nowhere else.
+  // Follows the links from the root. A group that is linked twice is refused, so cyclic links cannot loop for
+  // ever.
   void add_groups(const std::string& root) {
     const ordered_json& groups = member(document, "groups", "/");
     std::set<std::string> seen;
@@ -83,7 +84,7 @@ struct H5JsonReader::File {
     if (!json.is_number()) refuse(path, "holds something that is no number");
     const double wide = json.get<double>();
     if constexpr (std::is_integral_v<T>) {
-      // Writers may put 3.0 for 3.
+      // Some writers put 3.0 for the integer 3.
       if (!(wide >= std::numeric_limits<T>::min() && wide <= std::numeric_limits<T>::max()) ||
           wide != std::floor(wide))
         refuse(path, "holds a number that is no integer of 32 bits");
@@ -97,7 +98,7 @@ struct H5JsonReader::File {
     for (const ordered_json& item : list) out.push_back(number<T>(item, path));
   }
 
-  // What the shape says must be what the value is.
+  // Refuses a dataset whose value does not have the sizes that its shape states.
   void check_shape(const std::string& path, const std::vector<std::size_t>& sizes) const {
     const ordered_json& shape = member(object(path), "shape", path);
     const ordered_json& dims = member(shape, "dims", path);
@@ -113,7 +114,7 @@ struct H5JsonReader::File {
   static constexpr std::size_t longest_path = 1000;
   std::string name;
   ordered_json document;
-  std::map<std::string, const ordered_json*> objects;  // by path; the root's is empty
+  std::map<std::string, const ordered_json*> objects;  // by path; the path of the root is empty
 };
 
 H5JsonReader::H5JsonReader(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {}

@@ -56,7 +56,8 @@ void append_list(std::string& out, std::span<const T> values) {
   out += ']';
 }
 
-// 8-4-4-4-12 hexadecimal digits; version 8 says that they mean what the writer wants.
+// A UUID of 8-4-4-4-12 hexadecimal digits made from a hash of the path. UUID version 8 leaves the meaning of
+// the digits to the writer.
 std::string identifier(const std::string& path) {
   const std::string hash = sha256("foramen hdf5-json " + path).substr(0, 32);
   return hash.substr(0, 8) + "-" + hash.substr(8, 4) + "-8" + hash.substr(13, 3) + "-a" + hash.substr(17, 3) +

@@ -23,7 +23,8 @@ struct H5Reader::File {
         "; the file is damaged or not of the expected kind: write it again with the program that made it");
   }
 
-  // Whether the object is there, reached by hard links alone: others could lead to other files.
+  // Whether the object exists and is reached by hard links only. Soft and external links are not followed,
+  // because they could lead to other files.
   bool has(const std::string& path) const {
     for (std::size_t at = path.find('/', 1);; at = path.find('/', at + 1)) {
       const std::string part = path.substr(0, at);
@@ -58,12 +59,13 @@ struct H5Reader::File {
     return {sizes.begin(), sizes.end()};
   }
 
-  // The number of elements, or a refusal if the file cannot hold so many.
+  // The number of elements; refuses a number that the file cannot hold.
   std::size_t checked_count(hid_t set, const std::vector<std::size_t>& shape, std::size_t element_bytes,
                             const std::string& path) const {
     if (element_bytes == 0) refuse(path, "has elements without a size");
     const H5Handle properties(H5Dget_create_plist(set), H5Pclose);
-    // Chunks may be packed; deflate, the densest filter in use, packs at most about 1032 bytes into one.
+    // Chunks may be compressed. Deflate, the strongest filter in use, packs at most about 1032 bytes into
+    // one.
     constexpr std::uint64_t densest = 1032;
     const std::uint64_t most =
         bytes * (H5Pget_layout(properties) == H5D_CHUNKED ? densest : 1) / element_bytes;
@@ -102,7 +104,8 @@ struct H5Reader::File {
     return values;
   }
 
-  // Strings through one of HDF5's two read functions: `read(memory_type, buffer)`.
+  // Reads strings through `read(memory_type, buffer)`, which calls one of the two read functions of HDF5 (for
+  // datasets and for attributes).
   template <class Read>
   std::vector<std::string> texts(hid_t type, hid_t space, std::size_t count, const std::string& path,
                                  const Read& read) const {
@@ -123,7 +126,7 @@ struct H5Reader::File {
     }
     const std::size_t length = H5Tget_size(type);
     if (length > bytes) refuse(path, "its text is longer than the file");
-    H5Tset_size(memory, length + 1);  // room for a NUL, whatever the padding in the file
+    H5Tset_size(memory, length + 1);  // room for a NUL, however the file pads strings
     std::string block(count * (length + 1), '\0');
     check(read(memory, block.data()));
     for (std::size_t i = 0; i < count; ++i) {
@@ -147,7 +150,7 @@ struct H5Reader::File {
 
 namespace {
 
-// At the beginning, or after a user block of 512 bytes or a power of two more.
+// The signature stands at the beginning or after a user block of 512, 1024, 2048 ... bytes.
 bool is_hdf5(std::string_view bytes) {
   constexpr std::string_view signature("\x89HDF\r\n\x1a\n", 8);
   for (std::size_t at = 0; at < bytes.size(); at = at == 0 ? 512 : 2 * at)
@@ -155,8 +158,8 @@ bool is_hdf5(std::string_view bytes) {
   return false;
 }
 
-// From memory: a file that changes, or a disk that fails, while HDF5 reads is one thing less to trust it
-// with.
+// HDF5 reads from a copy in memory, so a file that changes or a disk that fails while it reads cannot make it
+// crash.
 H5Handle open_file(const std::filesystem::path& path, std::string& bytes) {
   const H5Silence silence;
   if (!is_hdf5(bytes)) throw IoError(path.string() + ": is no HDF5 file; check its format and extension");

@@ -36,7 +36,8 @@ struct Pipe {
   }
 };
 
-// In the child: a crash is to be quiet, and the handlers of the program that it is a copy of do not run.
+// Prepares the child process for a crash: the signal handlers of the program are removed, so that they do not
+// run twice, no core file is written, nothing is printed and CPU time is limited.
 void expect_the_worst(int most_seconds) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(signal, SIG_DFL);
   const auto most = static_cast<rlim_t>(most_seconds);
@@ -53,7 +54,7 @@ void expect_the_worst(int most_seconds) {
   expect_the_worst(most_seconds);
   try {
     read();
-  } catch (...) {  // the caller meets it when it reads
+  } catch (...) {  // the caller gets the same exception when it reads
   }
   const bool told = ::write(write_end, &survived, 1) == 1;
   ::_exit(told ? 0 : 1);
@@ -73,7 +74,7 @@ void require_survival(const std::filesystem::path& path, const std::function<voi
   const pid_t child = ::fork();
   if (child < 0) no_process();
   if (child == 0) run_child(read, most_seconds, pipe.write_end);
-  Pipe::close(pipe.write_end);  // so that the child's end is the end
+  Pipe::close(pipe.write_end);  // so that read() below ends when the child ends
   char told = 0;
   while (::read(pipe.read_end, &told, 1) < 0 && errno == EINTR) {
   }

@@ -71,7 +71,7 @@ struct H5Writer::File {
 
 namespace {
 
-// In memory: HDF5 1.10 crashes when a disk is full.
+// The file is made in memory, because HDF5 1.10 crashes when the disk is full.
 H5Handle create_file(const std::filesystem::path& path) {
   const H5Silence silence;
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
@@ -185,7 +185,7 @@ void H5Writer::strings(const std::string& path, std::span<const std::string> tex
     longest = std::max(longest, text.size());
     ascii = ascii && is_ascii(text);
   }
-  std::string block;  // each text, then NULs up to the length of the longest and one more
+  std::string block;  // each text padded with NULs to the length of the longest plus one
   for (const std::string& text : texts) block.append(text).append(longest + 1 - text.size(), '\0');
   const H5Silence silence;
   const hsize_t size = texts.size();

@@ -12,20 +12,21 @@
 
 namespace foramen::io_detail {
 
-/// The values of a header by their keys in lower case.
+/// The values of a text header by their keys in lower case.
 class HeaderFields {
  public:
   explicit HeaderFields(const Source& source) : source_(source) {}
-  /// Refuses a key that was there before.
+  /// Refuses a key that occurs twice.
   void add(std::string_view key, std::string_view value);
   bool has(const std::string& key) const { return values_.contains(key); }
-  /// The value; refuses if there is none.
+  /// The value; refuses the file if there is none.
   const std::string& text(const std::string& key) const;
-  /// The value, or that default.
+  /// The value, or `missing` if there is none.
   std::string text(const std::string& key, const std::string& missing) const;
   std::int64_t integer(const std::string& key) const;
   std::vector<std::int64_t> integers(const std::string& key) const;
-  /// The numbers of a value, whatever brackets and commas stand between them; refuses another count.
+  /// The numbers of a value; brackets and commas between them are ignored. Refuses a number of values other
+  /// than `count`.
   std::vector<double> numbers(const std::string& key, std::size_t count) const;
 
  private:
@@ -33,14 +34,14 @@ class HeaderFields {
   std::map<std::string, std::string> values_;
 };
 
-/// The beginning of a file in which its text header must be.
+/// The beginning of a file, which must contain its whole text header.
 std::string header_text(const std::filesystem::path& path);
 
-/// The next line of a text header; refuses one so long that it is none.
+/// The next line of a text header; refuses a line too long for a header.
 std::string_view header_line(const Source& source, LineCursor& lines);
 
-/// The data file that a header names, in the header's folder unless the path is absolute; refuses one that is
-/// not there, lists of files and patterns.
+/// The data file that a header names; a relative path starts from the folder of the header. Refuses a missing
+/// file, a list of files and a pattern of file names.
 std::filesystem::path named_data_file(const Source& source, const std::filesystem::path& header,
                                       const std::string& name);
 

@@ -19,7 +19,7 @@ constexpr Format formats[] = {{".nii", io_detail::nifti_layout}, {".nii.gz", io_
                               {".nrrd", io_detail::nrrd_layout}, {".nhdr", io_detail::nrrd_layout},
                               {".mha", io_detail::meta_layout},  {".mhd", io_detail::meta_layout}};
 
-// The format by the name's end; null if it is none of them.
+// The format that the end of the name stands for; null if there is none.
 const Format* format_of(const std::filesystem::path& path) {
   const std::string name = io_detail::lower_case(path.filename().string());
   for (const Format& format : formats)

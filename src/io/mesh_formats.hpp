@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: one function per mesh format, all on memory alone.
+/// Private to io: one parser per mesh format. All of them work on the bytes in memory.
 
 #include <filesystem>
 

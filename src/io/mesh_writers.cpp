@@ -50,7 +50,7 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
-// VTK's inline binary: the number of bytes, then the bytes, in one base64 run.
+// The inline binary encoding of VTK: the number of bytes and then the bytes, encoded together in base64.
 std::string inline_binary(const std::string& data) {
   std::string counted;
   append_little_endian(counted, static_cast<std::uint64_t>(data.size()));

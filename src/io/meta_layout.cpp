@@ -30,7 +30,7 @@ bool is_true(const std::string& value) {
   return value.starts_with('T') || value.starts_with('t') || value.starts_with('1');
 }
 
-// ElementDataFile is the last field of a header. Returns where it ends.
+// Reads the fields up to ElementDataFile, the last one of a header, and returns the position after it.
 std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
   LineCursor lines(source.bytes);
   while (!fields.has("elementdatafile")) {
@@ -45,14 +45,14 @@ std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
   return static_cast<std::int64_t>(lines.offset());
 }
 
-// The first of these fields that is there; MetaImage has several names for one thing.
+// The first of these fields that the header has; MetaImage has several names for some fields.
 std::string first_of(const HeaderFields& fields, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (fields.has(key)) return key;
   return *keys.begin();
 }
 
-// In LPS. Without a matrix the axes are those of the space.
+// Sets the axes and the origin in LPS. A header without a matrix means the axes of the space.
 void set_geometry(const HeaderFields& fields, VoxelLayout& layout) {
   const auto spacing = fields.numbers(first_of(fields, {"elementspacing", "elementsize"}), 3);
   const auto origin = fields.numbers(first_of(fields, {"offset", "position", "origin"}), 3);

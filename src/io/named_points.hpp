@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Corresponding points of several specimens: what TPS files and tables of landmarks hold.
+/// Corresponding points of several specimens, as TPS files and landmark tables hold them.
 
 #include <filesystem>
 #include <span>
@@ -16,23 +16,26 @@ struct NamedPoints {
   std::vector<Vec3> points;  ///< point i of every specimen is the same landmark
 };
 
-/// TPS, as geomorph's readland.tps and other readers of R take it: per specimen `LM3=P`, P
-/// lines "x y z", `ID=name`. Throws InvalidInput if there are none, the numbers of points differ, a number is
-/// not finite, or a name cannot stand in such a file: a line break, '=', or one of the words comment=,
-/// curves=, variables, chain, radii and scale, of which readers drop the line.
+/// Writes TPS in the form that readland.tps of geomorph and other readers in R accept: per specimen `LM3=P`,
+/// P lines "x y z", `ID=name`. Throws InvalidInput if there are no specimens, the numbers of points differ, a
+/// coordinate is not finite, or a name cannot be written to such a file because it contains a line break,
+/// '=', or one of the words comment=, curves=, variables, chain, radii and scale: these readers drop lines
+/// with such a word. Throws IoError if the file cannot be written.
 void write_tps(const std::filesystem::path& path, std::span<const NamedPoints> specimens);
 
-/// Reads LM3 specimens. Coordinates are multiplied by SCALE= where all specimens have one. Specimens without
-/// ID= are named by IMAGE= without extension, or "specimenN". Other KEY=value lines are passed over. Throws
-/// IoError naming the line: two-dimensional landmarks, curves, missing points (NA), SCALE= of some specimens
-/// only, names that come twice, specimens with other numbers of points.
+/// Reads the LM3 specimens of a TPS file. If all specimens have SCALE=, coordinates are multiplied by it. A
+/// specimen without ID= gets the name in IMAGE= without extension, or else "specimenN". Other KEY=value lines
+/// are ignored. Throws IoError with the line: two-dimensional landmarks, curves, missing points (NA), SCALE=
+/// in only some of the specimens, a name that occurs twice, specimens with different numbers of points.
 std::vector<NamedPoints> read_tps(const std::filesystem::path& path);
 
-/// A table with the columns shape, landmark (from 0), x, y, z. Throws InvalidInput as above, IoError.
+/// Writes a CSV table with the columns shape, landmark (from 0), x, y, z. Throws InvalidInput if there are no
+/// specimens, the numbers of points differ or a coordinate is not finite; IoError if the file cannot be
+/// written.
 void write_landmark_table(const std::filesystem::path& path, std::span<const NamedPoints> shapes);
 
-/// The same read back: rows of a shape stand together, landmarks count up from 0. Throws IoError naming the
-/// row.
+/// Reads such a table. The rows of a shape must be consecutive and their landmarks count up from 0. Throws
+/// IoError with the row.
 std::vector<NamedPoints> read_landmark_table(const std::filesystem::path& path);
 
 }  // namespace foramen

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: what files of corresponding points have in common.
+/// Private to io: checks and texts that all files of corresponding points share.
 
 #include <filesystem>
 #include <optional>
@@ -13,16 +13,18 @@
 
 namespace foramen::io_detail {
 
-/// Throws InvalidInput unless there are specimens, all with as many finite points, at least one.
+/// Throws InvalidInput unless there is a specimen and all specimens have the same number (at least 1) of
+/// finite points.
 void check_specimens(const std::filesystem::path& path, std::span<const NamedPoints> specimens);
 
-/// Throws IoError unless there are specimens with different names and as many points.
+/// Throws IoError unless there is a specimen, all names differ and all specimens have the same number of
+/// points.
 void check_read(const Source& source, std::span<const NamedPoints> specimens);
 
-/// "x y z", shortest texts that read back as the same numbers.
+/// "x y z"; each number is the shortest text that reads back as the same double.
 std::string text_of(const Vec3& point);
 
-/// Three numbers and nothing else on a line, or nothing.
+/// The point of a line that consists of three numbers; nullopt for any other line.
 std::optional<Vec3> point_of(std::string_view line);
 
 }  // namespace foramen::io_detail

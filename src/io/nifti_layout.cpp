@@ -1,5 +1,5 @@
-// NIfTI-1 in one file, https://nifti.nimh.nih.gov/nifti-1. Read by our own code: ITK 5.2 refuses label maps
-// whose axes are at right angles but for the rounding of their single-precision header.
+// NIfTI-1 in one file, https://nifti.nimh.nih.gov/nifti-1. Not read by ITK, because ITK 5.2 refuses label
+// maps whose axes are orthogonal only up to the rounding of the single-precision header.
 #include <array>
 #include <cmath>
 #include <optional>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::int32_t header_bytes = 348, header_bytes_2 = 540;
 
-// By NIfTI's number of a type; nothing for what is not one number a voxel.
+// The type that a NIfTI type code stands for; nullopt for types that are not one number per voxel.
 std::optional<NumberType> type_of(int number) {
   using Kind = NumberKind;
   switch (number) {
@@ -105,7 +105,7 @@ class NiftiHeader {
     const int dimensions = dims.read<std::int16_t>();
     std::array<std::int64_t, 3> size{};
     for (auto& n : size) n = dims.read<std::int16_t>();
-    // Some programs write more dimensions than there are, of one element each.
+    // Some programs write additional dimensions of one element each.
     bool three = dimensions >= 3 && dimensions <= 7;
     for (int d = 3; three && d < dimensions; ++d) three = dims.read<std::int16_t>() == 1;
     if (!three)
@@ -121,7 +121,7 @@ class NiftiHeader {
     return unit == metre ? 1000 : unit == micrometre ? 0.001 : 1;
   }
 
-  // The sform if there is one, else the qform; from RAS to LPS.
+  // Takes the sform if there is one, else the qform, and converts it from RAS to LPS.
   void set_geometry(VoxelLayout& layout) const {
     constexpr std::size_t qform_at = 252, sform_at = 254, rows_at = 280;
     if (at<std::int16_t>(sform_at) > 0) {

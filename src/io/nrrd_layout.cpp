@@ -35,7 +35,7 @@ NumberType type_of(const Source& source, const std::string& written) {
   source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
 }
 
-// Fields until the blank line, or the end of a header whose data stand elsewhere.
+// Reads the fields up to the blank line, or to the end of a header whose data are in another file.
 std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
   LineCursor lines(source.bytes);
   if (!header_line(source, lines).starts_with("NRRD000"))
@@ -48,7 +48,7 @@ std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
     if (colon == std::string_view::npos)
       source.refuse(lines.place() + " of its header is " + in_quotes(line), remedy_export_again);
     std::string key = lower_case(line.substr(0, colon));
-    // Both spellings are in use.
+    // Keys are written with and without a blank, e.g. "space directions" and "spacedirections".
     std::erase(key, ' ');
     fields.add(key, line.substr(colon + 2));
   }
@@ -56,7 +56,7 @@ std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
   return static_cast<std::int64_t>(lines.offset());
 }
 
-// foramen measures in mm; NRRD may say otherwise.
+// foramen measures in mm, so a header that names another unit is refused.
 void require_millimetres(const Source& source, const HeaderFields& fields) {
   for (const char* key : {"spaceunits", "units"}) {
     if (!fields.has(key)) continue;
@@ -73,7 +73,7 @@ void require_millimetres(const Source& source, const HeaderFields& fields) {
   }
 }
 
-// Signs that turn the axes of the header's space to left, posterior, superior.
+// The signs by which coordinates in the space of the header become left, posterior, superior.
 Vec3 lps_signs(const Source& source, const HeaderFields& fields) {
   const std::string space = lower_case(fields.text("space", ""));
   if (space == "left-posterior-superior" || space == "lps") return {1, 1, 1};

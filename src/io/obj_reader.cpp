@@ -7,7 +7,7 @@
 namespace foramen::io_detail {
 namespace {
 
-// What does not change the surface: texture, normals, names, materials, loose points and lines.
+// Keywords that do not change the surface: textures, normals, names, materials, points and lines.
 constexpr std::array<std::string_view, 14> ignored_keywords{
     "vt", "vn", "vp", "g", "o", "s", "mg", "p", "usemtl", "mtllib", "usemap", "l", "maplib", "bevel"};
 
@@ -19,7 +19,7 @@ class ObjParser {
     while (lines_.next_filled()) parse_line();
     for (const Face& face : faces_) {
       const auto place = [&] { return "line " + std::to_string(face.line); };
-      for (std::int64_t corner : face.corners)  // named as the file does, from 1
+      for (std::int64_t corner : face.corners)  // the file counts vertices from 1
         if (static_cast<std::size_t>(corner) >= soup_.points())
           soup_.refuse_corner(corner + 1, soup_.points(), place());
       soup_.add_triangle(face.corners, soup_.points(), place);
@@ -55,7 +55,7 @@ class ObjParser {
       refuse("unknown line " + in_quotes(line), remedy_other_format);
   }
 
-  // x y z, then nothing, a weight of 1, or a colour.
+  // A vertex is x y z, followed by nothing, by a weight of 1 or by a colour.
   void parse_vertex(TokenCursor words) {
     std::vector<double> values;
     for (std::string_view word = words.next(); !word.empty() && !word.starts_with('#'); word = words.next()) {
@@ -70,7 +70,8 @@ class ObjParser {
     soup_.add_point({values[0], values[1], values[2]}, [&] { return lines_.place(); });
   }
 
-  // v, v/vt, v//vn or v/vt/vn; each an integer, negative ones count back from the last vertex so far.
+  // A corner is v, v/vt, v//vn or v/vt/vn with integers. A negative v counts back from the last vertex so
+  // far.
   std::int64_t parse_corner(std::string_view word) const {
     std::int64_t vertex = 0;
     std::size_t part = 0;

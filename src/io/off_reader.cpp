@@ -29,7 +29,7 @@ class OffParser {
     source_.refuse(lines_.place() + ": " + found, remedy);
   }
 
-  // The next line with something else than a comment; line_ is what stands before the '#'.
+  // Goes to the next line that is not blank or a comment; line_ is the part before the '#'.
   bool next_line() {
     while (lines_.next_filled()) {
       const std::string_view whole = lines_.line();
@@ -84,7 +84,7 @@ class OffParser {
     soup_.add_point(point, [&] { return lines_.place(); });
   }
 
-  // "3 i j k", then perhaps a colour of up to four numbers.
+  // A face is "3 i j k", optionally followed by a colour of up to four numbers.
   void parse_face(std::uint64_t index, std::uint64_t count, std::uint64_t vertices) {
     need_line("face " + std::to_string(index) + " of " + std::to_string(count));
     const auto corner_count = to_integer(words_.next());

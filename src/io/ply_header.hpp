@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: what stands between "ply" and "end_header".
+/// Private to io: the header of a PLY file, from "ply" to "end_header".
 
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ inline bool is_integer(PlyScalar type) { return type != PlyScalar::f32 && type !
 struct PlyProperty {
   std::string name;
   PlyScalar type = PlyScalar::f32;
-  std::optional<PlyScalar> count_type;  ///< set: a list of `type`
+  std::optional<PlyScalar> count_type;  ///< set if the property is a list of `type`
 };
 
 struct PlyElement {

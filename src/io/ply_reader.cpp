@@ -7,7 +7,7 @@
 namespace foramen::io_detail {
 namespace {
 
-// Where in an element the parts of a surface stand.
+// The elements and properties of a PLY file that make up the surface.
 struct Layout {
   std::size_t vertex_element = 0, face_element = 0;
   std::array<std::size_t, 3> coordinates{};  // properties of the vertex element
@@ -48,12 +48,12 @@ Layout find_layout(const Source& source, const PlyHeader& header) {
   return layout;
 }
 
-// The values of one row of a text body, which stands on one line.
+// A reader of the rows of a text body, one row per line.
 class TextRows {
  public:
   TextRows(const Source& source, LineCursor lines) : source_(source), lines_(lines) {}
   static std::uint64_t least_bytes(const PlyElement& element) {
-    return 2 * element.properties.size();  // a digit and a blank or line end each
+    return 2 * element.properties.size();  // a digit and a blank or a line end for each value
   }
   std::uint64_t remaining() const { return lines_.remaining() + 1; }  // the last line end may be absent
   void begin_row(const PlyElement& element, std::uint64_t row) {
@@ -151,7 +151,7 @@ class BinaryRows {
   std::uint64_t row_ = 0;
 };
 
-// Refuses a header whose elements cannot fit in what follows it, before anything is allocated or looped over.
+// Refuses a header whose elements cannot fit in the data after it, before memory is allocated for them.
 template <class Rows>
 void check_size(const Source& source, const PlyHeader& header, const Rows& rows) {
   std::uint64_t left = rows.remaining();

@@ -58,7 +58,7 @@ class LabelReader {
         labels.push_back(as_label(static_cast<double>(cursor.template read<T>())));
       if (got < wanted) refuse_short(std::ssize(labels));
     }
-    // A compressed stream's checksum stands at its end.
+    // The checksum of a compressed stream stands at its end, so one more byte is read to verify it.
     if (layout_.packing == ByteStream::Packing::deflate) stream_.read(bytes.data(), 1);
     if (stream_.damaged()) source_.refuse("its compressed data are damaged", remedy_export_again);
     return labels;

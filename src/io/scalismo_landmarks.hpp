@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Named points of one shape as Scalismo keeps them: a JSON list of {id, coordinates, description}.
+/// Named points of one shape in the landmark format of Scalismo: a JSON list of {id, coordinates,
+/// description}.
 
 #include <filesystem>
 #include <span>
@@ -17,11 +18,11 @@ struct ScalismoLandmark {
   std::string description;  ///< may be empty
 };
 
-/// Throws InvalidInput if an id is empty or comes twice, a coordinate is not finite or a text not UTF-8;
-/// IoError.
+/// Throws InvalidInput if an id is empty or occurs twice, a coordinate is not finite or a text is not UTF-8;
+/// IoError if the file cannot be written.
 void write_scalismo_landmarks(const std::filesystem::path& path, std::span<const ScalismoLandmark> landmarks);
 
-/// Uncertainties and other members are passed over. Throws IoError naming the landmark and what is wrong.
+/// Uncertainties and other members are ignored. Throws IoError with the landmark and what is wrong with it.
 std::vector<ScalismoLandmark> read_scalismo_landmarks(const std::filesystem::path& path);
 
 }  // namespace foramen

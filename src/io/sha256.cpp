@@ -23,10 +23,10 @@ Sha256& Sha256::update(std::string_view bytes) {
 }
 
 std::string Sha256::hex() const {
-  SHA2_CTX last = state_->context;  // SHA256End() erases it
+  SHA2_CTX last = state_->context;  // a copy, because SHA256End() erases its argument
   std::string digits(SHA256_DIGEST_STRING_LENGTH - 1, '0');
   SHA256End(&last,
-            digits.data());  // writes the closing zero, too, which a string has behind its last character
+            digits.data());  // also writes the final NUL, for which a std::string has room
   return digits;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// SHA-256 (FIPS 180-4): names inputs and finished stages by their content.
+/// SHA-256 (FIPS 180-4), by which input files and the results of stages are identified.
 
 #include <filesystem>
 #include <memory>
@@ -9,17 +9,17 @@
 
 namespace foramen {
 
-/// A hash over bytes that come in pieces; how they are cut does not matter.
+/// The hash of bytes that are added in pieces. It does not depend on where the pieces are divided.
 class Sha256 {
  public:
   Sha256();
   ~Sha256();
   Sha256& update(std::string_view bytes);
-  /// 64 lower-case hexadecimal digits. Leaves this object as it is, so that more may follow.
+  /// 64 lower-case hexadecimal digits for the bytes so far. More bytes may be added afterwards.
   std::string hex() const;
 
  private:
-  struct State;  // libmd's, kept out of this header so that those who include it need not have libmd's
+  struct State;  // hides the header of libmd from those who include this one
   std::unique_ptr<State> state_;
 };
 

@@ -15,11 +15,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// What a subject's shape may be called, before the name of its domain.
+// Prefixes of the column that holds the shape of a subject; the name of the domain follows.
 constexpr std::array input_prefixes{"shape_", "mesh_", "segmentation_", "contour_"};
 constexpr std::array domain_prefixes{"shape_", "mesh_", "segmentation_", "contour_", "local_particles_"};
 
-// Row by row, as VTK keeps a 4x4 matrix.
+// Row by row, as VTK stores a 4x4 matrix.
 std::string text_of(const Eigen::Matrix4d& matrix) {
   std::string text;
   for (int i = 0; i < 4; ++i)
@@ -83,14 +83,14 @@ class SubjectReader {
     return found == texts_.end() ? std::string() : found->second;
   }
 
-  // Windows writes backslashes.
+  // Projects written on Windows have backslashes in paths.
   std::filesystem::path file(const std::string& prefix) const {
     std::string name = text(prefix + domain_);
     std::replace(name.begin(), name.end(), '\\', '/');
     return name;
   }
 
-  // The domain is what follows the prefixes.
+  // The name of the domain follows the prefix of a column.
   void find_domain() {
     std::set<std::string> domains;
     for (const auto& [key, value] : texts_)

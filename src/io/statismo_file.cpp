@@ -10,12 +10,13 @@
 #include "io/atomic_file.hpp"
 #include "io/hdf5_file.hpp"
 #include "io/hdf5_json_file.hpp"
+#include "io/single_precision.hpp"
 
 namespace foramen {
 namespace {
 
-// Single precision leaves columns of unit length to about 1e-6; version 0.8 scaled them by standard
-// deviations.
+// Rounding to single precision changes the lengths of unit columns by about 1e-6. Columns that are off by
+// much more come from version 0.8, which scaled them by standard deviations.
 constexpr double orthonormality_tolerance = 1e-3;
 constexpr const char* weights_path = "/foramen/landmarkWeights";
 
@@ -95,7 +96,7 @@ void write_representer(File& file, const StatismoModel& model) {
   file.attribute("/representer", "version", "1.0");
   file.attribute("/representer", "datasetType", "POLYGON_MESH");
   file.matrix("/representer/points", columns<float>(model.points));
-  // Signed, though statismo writes unsigned: Scalismo cannot take those.
+  // The indices are signed, because Scalismo cannot read the unsigned ones that statismo writes.
   std::vector<Eigen::Vector3i> cells;
   cells.reserve(model.triangles.size());
   for (const auto& t : model.triangles) cells.emplace_back(t[0], t[1], t[2]);
@@ -230,7 +231,7 @@ class ModelReader {
         model_.parameters.emplace_back(key, file_.string(builder + "/parameters/" + key));
   }
 
-  // A single zero means none in files of statismo.
+  // A single zero stands for "no scores" in files of statismo.
   void read_scores() {
     if (!file_.has("/modelinfo/scores")) return;
     const Eigen::MatrixXd scores = eigen_matrix(file_.template matrix<float>("/modelinfo/scores"));
@@ -273,6 +274,16 @@ void write_statismo(const std::filesystem::path& path, const StatismoModel& mode
   } else {
     write_h5(path, [&](H5Writer& file) { write_model(file, model); });
   }
+}
+
+StatismoModel in_single_precision(StatismoModel model) {
+  for (Vec3& p : model.points) p = p.unaryExpr(&rounded_to_single);
+  model.mean = model.mean.unaryExpr(&rounded_to_single);
+  model.basis = model.basis.unaryExpr(&rounded_to_single);
+  model.variance = model.variance.unaryExpr(&rounded_to_single);
+  model.noise_variance = rounded_to_single(model.noise_variance);
+  model.scores = model.scores.unaryExpr(&rounded_to_single);
+  return model;
 }
 
 StatismoModel read_statismo(const std::filesystem::path& path) {

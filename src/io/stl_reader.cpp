@@ -22,9 +22,9 @@ bool is_text(std::string_view bytes) {
   });
 }
 
-// Binary files may begin with "solid" too. The count decides where it matches the size: the same four bytes
-// of a text would announce far more facets than it has room for. Otherwise only what begins like a text and
-// is one is a text.
+// A binary file may begin with "solid", too. If the number of facets in the header agrees with the file size,
+// the file is binary: in a text file the same four bytes would stand for far more facets. Otherwise the file
+// is a text if it begins with "solid" and its beginning has only text characters.
 bool is_binary(const Source& source) {
   if (source.bytes.size() >= preamble_bytes &&
       source.bytes.size() == preamble_bytes + facet_bytes * announced_facets(source))
@@ -34,8 +34,8 @@ bool is_binary(const Source& source) {
   return lower_case(words.next()) != "solid" || !is_text(source.bytes.substr(0, looked_at));
 }
 
-// Gives corners at the very same place (0 and -0 are the same) one point. Points keep the order of first
-// appearance.
+// Makes one point of all corners with exactly equal coordinates (0 equals -0). Points are in the order in
+// which they first appear.
 TriangleSoup welded(const std::vector<Vec3>& corners) {
   const auto key = [&](int i) {
     const Vec3& p = corners[i];
@@ -88,7 +88,7 @@ std::vector<Vec3> read_binary(const Source& source) {
     return Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
   };
   for (std::uint64_t f = 0; f < facets; ++f) {
-    read_vector();  // the normal, which the corners give better
+    read_vector();  // the normal is ignored, since the corners determine it
     for (int k = 0; k < 3; ++k) {
       corners.push_back(read_vector());
       if (!corners.back().allFinite())
@@ -113,7 +113,7 @@ class TextStl {
   [[noreturn]] void refuse(const std::string& found) const {
     source_.refuse(lines_.place() + ": " + found, remedy_export_again);
   }
-  // The words of the next line, which must be there.
+  // The words of the next line; refuses the file if it ends here.
   TokenCursor next_words(const char* expected) {
     if (!lines_.next_filled()) refuse(std::string("the file ends where '") + expected + "' should follow");
     return TokenCursor(lines_.line());

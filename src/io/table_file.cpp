@@ -26,7 +26,7 @@ std::string cell_text(std::int64_t value) { return std::to_string(value); }
 
 template <class Cells, class Text>
 void append_row(std::string& out, const Cells& cells, const Text& text) {
-  // A row of one empty cell would be a blank line.
+  // A row of one empty cell is quoted, because it would be a blank line.
   if (cells.size() == 1 && text(cells[0]).empty()) {
     out += "\"\"\n";
     return;
@@ -66,7 +66,7 @@ class CsvParser {
     source_.refuse("line " + std::to_string(line_) + ": " + found, "quote such cells as RFC 4180 says");
   }
 
-  // Takes a line end if there is one; true also at the end of the file.
+  // Skips a line end if there is one; true also at the end of the file.
   bool take_line_end() {
     if (rest_.empty()) return true;
     const std::size_t length = rest_.starts_with("\r\n") ? 2 : rest_.front() == '\n' ? 1 : 0;
@@ -126,7 +126,7 @@ std::size_t Table::column(std::string_view name) const {
 }
 
 std::string format_number(double value) {
-  if (std::isnan(value)) return "nan";  // without the sign that to_chars would show
+  if (std::isnan(value)) return "nan";  // to_chars() would write a sign for some NaN
   constexpr std::size_t longest = 32;   // "-1.7976931348623157e+308" has 24
   std::array<char, longest> buffer{};
   const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);

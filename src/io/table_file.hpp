@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Tables as CSV (RFC 4180 quoting, LF line ends, comma, '.' as decimal point whatever the locale).
+/// Tables as CSV: quoting of RFC 4180, LF line ends, commas, and '.' as decimal point in every locale.
 
 #include <cstdint>
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace foramen {
 using Cell = std::variant<std::string, double, std::int64_t>;
 using Row = std::vector<Cell>;
 
-/// A table as read: text alone. Every row has as many cells as the header.
+/// A table as it was read, all cells as text. Every row has as many cells as the header.
 struct Table {
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
@@ -23,12 +23,14 @@ struct Table {
   std::size_t column(std::string_view name) const;
 };
 
-/// The shortest text that reads back as the very same number; "nan", "inf" and "-inf" for what is not finite.
+/// The shortest text that reads back as the same number; "nan", "inf" and "-inf" for values that are not
+/// finite.
 std::string format_number(double value);
-/// The whole cell as a number. Throws IoError if it is none.
+/// Parses the whole cell as a number. Throws IoError if it is none.
 double parse_number(std::string_view cell);
 
-/// Throws InvalidInput if a row has not as many cells as the header; IoError if the file cannot be written.
+/// Writes a table. Throws InvalidInput if a row does not have the same number of cells as the header; IoError
+/// if the file cannot be written.
 void write_csv(const std::filesystem::path& path, const std::vector<std::string>& header,
                const std::vector<Row>& rows);
 

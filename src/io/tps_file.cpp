@@ -12,7 +12,7 @@ using io_detail::in_quotes;
 using io_detail::lower_case;
 using io_detail::to_number;
 
-// Readers search whole lines for these, in any case.
+// Other readers search whole lines for these words, in upper and lower case, and drop lines that have them.
 constexpr std::array words_readers_drop{"=", "comment=", "curves=", "variables", "chain", "radii", "scale"};
 
 void check_name(const std::filesystem::path& path, const std::string& name) {
@@ -68,7 +68,8 @@ class TpsParser {
   void read_points(std::string_view value) {
     finish_specimen();
     const auto count = io_detail::to_integer(value);
-    // A point takes six bytes at least: no memory is taken for what the file cannot hold.
+    // A point takes at least six bytes (five in the last line), so memory is allocated only for points that
+    // the file can hold.
     if (!count || *count <= 0 || static_cast<std::uint64_t>(*count) > lines_.remaining() / 5)
       refuse("LM3=" + std::string(value.substr(0, 20)) + " is no number of points that could follow",
              io_detail::remedy_export_again);
@@ -96,7 +97,7 @@ class TpsParser {
     image_.clear();
   }
 
-  // None or all, since some in mm and some in pixels would go unseen.
+  // Either all specimens have a scale or none has, since otherwise some would be in mm and some in pixels.
   void apply_scales() {
     if (scales_.empty()) return;
     scales_.resize(specimens_.size(), 0);
@@ -113,7 +114,7 @@ class TpsParser {
   const io_detail::Source& source_;
   io_detail::LineCursor lines_;
   std::vector<NamedPoints> specimens_;
-  std::vector<double> scales_;  // 0: none
+  std::vector<double> scales_;  // 0: no scale
   std::string image_;
 };
 

@@ -28,7 +28,7 @@ struct ByteStream::State {
     inflater.next_in = reinterpret_cast<Bytef*>(packed.data());
     inflater.avail_in = static_cast<uInt>(file.gcount());
   }
-  // After a stream another may follow in a gzip file. What else follows is not looked at.
+  // Several streams may follow each other in a gzip file. Anything else after a stream is ignored.
   bool next_stream() {
     constexpr int first_gzip_byte = 0x1f;
     if (inflater.avail_in == 0 || *inflater.next_in != first_gzip_byte) return false;

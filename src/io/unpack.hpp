@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: the bytes of a file, unpacked on the way where they are compressed.
+/// Private to io: the bytes of a file, decompressed while they are read.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace foramen::io_detail {
 
-/// Reads from a byte of a file on; a gzip or zlib stream that begins there is unpacked. Takes no memory that
-/// depends on the file.
+/// Reads a file from a byte offset and decompresses a gzip or zlib stream that begins there. The memory that
+/// it needs does not depend on the file.
 class ByteStream {
  public:
   enum class Packing { none, deflate };
@@ -22,8 +22,7 @@ class ByteStream {
 
   /// The next bytes, at most `count`; fewer at the end, and where a compressed stream is damaged.
   std::size_t read(char* out, std::size_t count);
-  /// A compressed stream does not end as it should (cut off, or another checksum than its bytes have), as far
-  /// as it has been read.
+  /// Whether the part of a compressed stream that was read so far is truncated or has a wrong checksum.
   bool damaged() const;
 
  private:

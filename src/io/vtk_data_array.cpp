@@ -19,7 +19,7 @@ std::string without_blanks(std::string_view text) {
   return out;
 }
 
-// -1: no digit.
+// The value of a base64 digit; -1 for any other character.
 int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -29,12 +29,12 @@ int base64_digit(char c) {
 
 }  // namespace
 
-// Bytes one after another, raw or in base64. Each piece that is taken was encoded by itself.
+// A sequence of bytes, raw or in base64. In base64 every piece that is taken was encoded on its own.
 class VtkDataArrays::Run {
  public:
   Run(const Source& source, std::string_view encoded, bool base64)
       : source_(source), rest_(encoded), base64_(base64) {}
-  /// No piece can be longer.
+  /// An upper bound for the length of a piece.
   std::size_t most() const { return base64_ ? rest_.size() / 4 * 3 : rest_.size(); }
   std::string peek(std::size_t count) const { return Run(*this).take(count); }
   std::string take(std::size_t count) {
@@ -53,7 +53,7 @@ class VtkDataArrays::Run {
     std::string out;
     out.reserve(text.size() / 4 * 3);
     for (; text.size() >= 4; text.remove_prefix(4)) {
-      const bool one = text[2] == '=', two = !one && text[3] == '=';  // bytes in the last group
+      const bool one = text[2] == '=', two = !one && text[3] == '=';  // decoded bytes in the last group
       std::uint32_t group = 0;
       for (std::size_t k = 0; k < 4; ++k) {
         const bool padding = (one && k >= 2) || (two && k == 3);
@@ -122,8 +122,8 @@ std::string VtkDataArrays::unpacked(Run run) const {
   return run.take(header_bytes_ + count).substr(header_bytes_);
 }
 
-// The number of blocks, the size of each but the last, the size of the last if it is another, the compressed
-// size of each; then the blocks.
+// Decompresses an array. Its header has the number of blocks, the uncompressed size of each block, that of
+// the last block if it differs (else 0), and the compressed size of each block. The blocks follow.
 std::string VtkDataArrays::inflated(Run& run) const {
   const auto sizes_in = [&](const std::string& header) {
     std::vector<std::uint64_t> sizes;

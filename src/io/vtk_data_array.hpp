@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: the numbers of a DataArray of VTK's XML files, however they are written.
+/// Private to io: the numbers of a DataArray in VTK XML files, in any of the encodings of VTK.
 
 #include <cstdint>
 #include <string>
@@ -10,22 +10,24 @@
 
 namespace foramen::io_detail {
 
-/// Reads arrays of one file: text, base64 within the element, or appended at the end of the file, raw or
-/// base64; zlib's blocks are unpacked. Throws IoError: an array that is missing, damaged, of another type or
-/// compressed otherwise. No memory is taken for what a header promises, only for what the file can hold.
+/// Reads the arrays of one file: as text, as base64 within the element, or from the data appended at the end
+/// of the file, raw or in base64. Blocks compressed by zlib are decompressed. Throws IoError for an array
+/// that is missing, damaged, of another type or compressed by another method. Memory is allocated only for
+/// sizes that the file can hold.
 class VtkDataArrays {
  public:
-  /// \param file  the root element  \param appended  what follows the mark '_' of AppendedData; empty if
-  /// there is none  \param appended_base64  whether it is base64
+  /// \param file  the root element
+  /// \param appended  the data after the mark '_' of AppendedData; empty if there are none
+  /// \param appended_base64  whether these data are in base64
   VtkDataArrays(const Source& source, const XmlElement& file, std::string_view appended,
                 bool appended_base64);
 
-  /// The array of that name among an element's children (of points: the only one).
+  /// The array of that name among the children of an element; for an element Points its only array.
   const XmlElement& find(const XmlElement& parent, const std::string& name) const;
   std::vector<double> numbers(const XmlElement& array) const;
   /// Refuses an array of floating point numbers.
   std::vector<std::int64_t> integers(const XmlElement& array) const;
-  /// Characters by their codes, up to the first NUL.
+  /// Decodes an array of character codes up to the first NUL.
   std::string text(const XmlElement& array) const;
 
  private:

@@ -1,5 +1,5 @@
-// Legacy VTK PolyData by our own reader: VTK 9.1 crashes on a file that ends within its cells, and takes what
-// memory held before for points that are missing.
+// Legacy VTK PolyData. Not read by the VTK library, because VTK 9.1 crashes on a file that ends within its
+// cells and returns uninitialised memory for points that are missing.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -22,7 +22,7 @@ struct NumberType {
   bool is_signed;
 };
 
-// vtkIdType stands for 32 bits in such files, whatever VTK was built with.
+// vtkIdType has 32 bits in such files, however VTK was built.
 constexpr std::array<NumberType, 13> number_types{{{"float", Kind::real, 4, true},
                                                    {"double", Kind::real, 8, true},
                                                    {"char", Kind::integer, 1, true},
@@ -47,7 +47,8 @@ class LegacyVtk {
     while (next_line()) {
       TokenCursor words(line_);
       const std::string keyword = lower_case(words.next());
-      if (keyword == "point_data" || keyword == "cell_data") break;  // values on the surface are not read
+      // Fields on points and cells are not read.
+      if (keyword == "point_data" || keyword == "cell_data") break;
       parse_section(keyword, words);
     }
     for (std::size_t f = 0; f + 1 < offsets_.size(); ++f) add_polygon(f);
@@ -60,7 +61,7 @@ class LegacyVtk {
   }
   std::size_t remaining() const { return source_.bytes.size() - offset_; }
 
-  // In binary files lines are counted between the data.
+  // In binary files only the lines outside the data are counted.
   bool next_line() {
     while (offset_ < source_.bytes.size()) {
       const auto end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
@@ -84,7 +85,8 @@ class LegacyVtk {
     if (!version) refuse("unknown version in " + in_quotes(line_));
     constexpr double first_with_offsets = 5;
     has_offsets_ = *version >= first_with_offsets;
-    const auto title_end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());  // may be blank
+    // The title may be blank.
+    const auto title_end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
     space_.see(source_, source_.bytes.substr(offset_, title_end - offset_));
     offset_ = std::min(title_end + 1, source_.bytes.size());
     ++line_number_;
@@ -128,7 +130,8 @@ class LegacyVtk {
       if (type.name == lower) return type;
     refuse("numbers of type " + in_quotes(word) + " are not read", remedy_other_format);
   }
-  // Before any memory is taken: is there room for so many values? A text needs a digit and a blank each.
+  // Refuses a number of values that the rest of the file cannot hold, before memory is allocated. In a text
+  // file each value takes at least a digit and a blank.
   void check_room(std::uint64_t count, const NumberType& type, const std::string& what) const {
     const std::uint64_t each = binary_ ? type.bytes : 2, room = binary_ ? remaining() : remaining() + 1;
     if (count > room / each)
@@ -136,7 +139,7 @@ class LegacyVtk {
              std::to_string(remaining()) + " bytes that follow can hold");
   }
 
-  // The next value; room was checked, but a text may still run out.
+  // The next value. check_room() gives a lower bound only, so a text file may still end here.
   std::string_view next_token(const char* what) {
     constexpr std::string_view blanks = " \t\v\f\r\n";
     std::size_t begin = offset_;
@@ -184,8 +187,7 @@ class LegacyVtk {
         return next_bytes<std::int64_t>();
     }
   }
-  // A text's data begin on the line after their heading and end somewhere in a line: what follows them there
-  // must be nothing.
+  // In a text file the data begin on the line after their heading and must fill their last line to its end.
   void begin_data(std::uint64_t count) {
     if (!binary_ && count > 0) ++line_number_;
   }
@@ -206,7 +208,7 @@ class LegacyVtk {
     const NumberType type = parse_type(words.next());
     expect_line_end(words);
     check_room(count, number_types[2],
-               "POINTS");  // at least a byte each, so that three times as many is no overflow
+               "POINTS");  // each value takes at least a byte, so the product with 3 does not overflow
     check_room(3 * count, type, "POINTS");
     soup_.expect(count, 0, remaining(), 0, 0);
     begin_data(count);
@@ -230,7 +232,7 @@ class LegacyVtk {
     }
   }
 
-  // Before version 5: each polygon's number of corners, then its corners.
+  // The layout before version 5: for each polygon the number of its corners and then its corners.
   void parse_counted_polygons(std::uint64_t count, std::uint64_t size) {
     check_room(size, plain_int, "POLYGONS");
     if (count > size)
@@ -296,7 +298,7 @@ class LegacyVtk {
     }
   }
 
-  // Ends with a blank line.
+  // Skips a METADATA section, which ends with a blank line.
   void skip_metadata() {
     while (offset_ < source_.bytes.size()) {
       const auto end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());

@@ -9,7 +9,7 @@
 namespace foramen::io_detail {
 namespace {
 
-// The document without what may follow its elements: raw bytes are no XML.
+// A VTP file split into its XML document and the appended data, which may be raw bytes and thus not XML.
 struct VtpFile {
   XmlElement root;
   std::string_view appended;

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t deepest = 20;
 
-// What expat calls. Nothing may be thrown through it: what is wrong is remembered, and the parser stopped.
+// The callbacks of expat. No exception may pass through expat, so an error is remembered and the parser is
+// stopped.
 class TreeBuilder {
  public:
   explicit TreeBuilder(XML_Parser parser) : parser_(parser) {
@@ -52,12 +53,13 @@ class TreeBuilder {
   }
 
   XML_Parser parser_;
-  std::vector<XmlElement> open_ = {XmlElement{}};  // from the document to the innermost
+  std::vector<XmlElement> open_ = {XmlElement{}};  // open elements from the document to the innermost one
   std::string problem_;
 };
 
-// Debian 13's expat deprecates the function that Debian 12's has, for one that counts in 64 bits everywhere.
-// This is a template, so that the one that expat lacks, or warns of, is not looked at.
+// Newer versions of expat deprecate XML_GetCurrentLineNumber for a function that counts in 64 bits; older
+// versions have only the former. The template keeps the compiler from seeing the function that is missing or
+// deprecated.
 template <class Parser>
 std::uint64_t line_number(Parser parser) {
   if constexpr (requires { XML_GetCurrentLineNumber64(parser); })

@@ -14,18 +14,18 @@ namespace foramen::io_detail {
 struct XmlElement {
   std::string name;
   std::map<std::string, std::string> attributes;
-  std::string text;  ///< all of it that stands directly in the element
+  std::string text;  ///< all text directly in the element, without that of its children
   std::vector<XmlElement> children;
 
-  /// The attribute, or that default.
+  /// The attribute, or `missing` if there is none.
   std::string attribute(const std::string& key, const std::string& missing = {}) const;
   /// The first child of that name; null if there is none.
   const XmlElement* child(std::string_view child_name) const;
 };
 
-/// The root element. Throws IoError if the text is no well-formed XML, declares a document type (none of the
-/// files read here has one, and entities can be made to grow without end), or is nested deeper than 20
-/// elements.
+/// Parses a document and returns its root element. Throws IoError if the text is not well-formed XML, is
+/// nested deeper than 20 elements, or declares a document type: no file that foramen reads needs one, and its
+/// entities can expand to unlimited size.
 XmlElement parse_xml(const Source& source, std::string_view text);
 
 }  // namespace foramen::io_detail

@@ -1,13 +1,13 @@
 #include "landmarks/landmarks_by_icp.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
-#include "sampling/curvature_density.hpp"
-#include "sampling/remesh.hpp"
 
 #include "core/parallel.hpp"
 #include "correspond/icp_baseline.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/curvature_density.hpp"
 #include "sampling/lift_to_surface.hpp"
+#include "sampling/remesh.hpp"
 
 namespace foramen {
 namespace {

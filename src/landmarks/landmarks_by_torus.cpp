@@ -1,36 +1,41 @@
 #include "landmarks/landmarks_by_torus.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
-#include "sampling/curvature_density.hpp"
-#include "sampling/error_density.hpp"
-#include "sampling/remesh.hpp"
 
 #include <memory>
 #include <utility>
 
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
+#include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "sampling/curvature_density.hpp"
+#include "sampling/error_density.hpp"
+#include "sampling/landmark_archive.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "sampling/refine_landmarks.hpp"
+#include "sampling/remesh.hpp"
 #include "sampling/torus_grid.hpp"
 
 namespace foramen {
 namespace {
 
-// The search for a number of landmarks: from the first, growing until the error is reached.
+// The search for the number of landmarks starts with the first number and increases it until the error is
+// reached.
 constexpr int first_landmarks = 500, most_landmarks = 30000;
 constexpr double landmark_growth = 1.4;
 constexpr int search_samples = 4000;
 
-// What lifting and measuring need of each shape, made once.
+// Data of each shape for lifting and for distances, computed once.
 struct LiftingShape {
   std::unique_ptr<TorusLocator> locator;
-  VertexMap<Vec2> turns;               // of the map
-  std::unique_ptr<TriangleTree> tree;  // from plant_trees() on
+  VertexMap<Vec2> turns;               // torus positions of the vertices
+  std::unique_ptr<TriangleTree> tree;  // set by plant_trees()
 };
 
-// From here on the maps are known by their locators: a cohort of large shapes has no room for both.
+// Replaces the maps by their locators, because both together would need too much memory for a cohort of large
+// shapes.
 std::vector<LiftingShape> lifting_shapes(const std::vector<Mesh>& meshes, std::vector<TorusMap> maps,
                                          const RunContext& ctx) {
   std::vector<LiftingShape> shapes(meshes.size());
@@ -57,7 +62,7 @@ std::vector<std::vector<Vec3>> lifted_to_all(const std::vector<LiftingShape>& sh
                [&](int i) { all[i] = lift_to_surface(*shapes[i].locator, turns); });
   return all;
 }
-// A surface to put landmarks on: the dense mean, with its torus map and how densely it is to be sampled.
+// The dense mean, on which landmarks are placed, with its torus map and the density of landmarks.
 struct DenseMean {
   TorusGrid grid;
   Mesh mesh;
@@ -77,7 +82,7 @@ DenseMean dense_mean(const std::vector<LiftingShape>& shapes, const Lattice& lat
   return mean;
 }
 
-// Where the landmarks miss a shape the next ones are denser.
+// The density for the next landmarks, raised where the present ones represent a shape badly.
 VertexMap<double> density_after(const LandmarkMesh& landmarks, const VertexMap<double>& density,
                                 const DenseMean& mean, const std::vector<LiftingShape>& shapes,
                                 const PlaceLandmarksOptions& options, const RunContext& ctx) {
@@ -117,7 +122,7 @@ double mean_representation_error(const LandmarkMesh& landmarks, const std::vecto
   return sum / static_cast<double>(errors.size());
 }
 
-// As few landmarks as reach the error, up to one step of growth.
+// The smallest tried number of landmarks that reaches the error.
 RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<LiftingShape>& shapes,
                                      const PlaceLandmarksOptions& options, const RunContext& ctx) {
   for (int count = first_landmarks; count <= most_landmarks;
@@ -132,18 +137,29 @@ RefinedLandmarks landmarks_for_error(const DenseMean& mean, const std::vector<Li
                          " landmarks; give a larger one");
 }
 
+// The digest of each shape by itself: the bytes of all of them at once may be too many to hold.
+StageKey key_of_landmarks(const std::vector<Mesh>& meshes, const std::vector<TorusMap>& maps,
+                          const PlaceLandmarksOptions& options, const RunContext& ctx) {
+  std::vector<StageKey> mapped;
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    mapped.emplace_back(ctx, "mapped shape", meshes[i], maps[i]);
+  return {ctx, "landmarks", mapped, options};
+}
+
 }  // namespace
 
 Landmarks landmarks_by_torus(const std::vector<Mesh>& meshes, std::vector<TorusMap> maps,
                              const PlaceLandmarksOptions& options, const RunContext& ctx) {
+  const StageKey key = key_of_landmarks(meshes, maps, options, ctx);
   const Lattice lattice = maps.front().lattice;
   std::vector<LiftingShape> shapes = lifting_shapes(meshes, std::move(maps), ctx);
-  const DenseMean mean = dense_mean(shapes, lattice, options, ctx);
-  plant_trees(shapes, ctx);
-  ctx.step("resample", 0.3);
-  RefinedLandmarks refined = options.target_error_mm
-                                 ? landmarks_for_error(mean, shapes, options, ctx)
-                                 : landmarks_on(mean, shapes, options.count, options, ctx);
+  RefinedLandmarks refined = kept<RefinedLandmarks>(ctx, key, [&] {
+    const DenseMean mean = dense_mean(shapes, lattice, options, ctx);
+    plant_trees(shapes, ctx);
+    ctx.step("resample", 0.3);
+    return options.target_error_mm ? landmarks_for_error(mean, shapes, options, ctx)
+                                   : landmarks_on(mean, shapes, options.count, options, ctx);
+  });
   ctx.step("resample", 0.9);
   Landmarks result;
   result.points = lifted_to_all(shapes, refined.landmarks.turns, ctx);

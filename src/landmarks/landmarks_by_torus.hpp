@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// Private to landmarks: landmarks placed through maps to one torus.
+/// Private to landmarks: the placement of landmarks by maps to one torus.
 
 #include "foramen/landmarks/place_landmarks.hpp"
 
 namespace foramen {
 
-/// Landmarks spread over the dense mean of the shapes, mended, and lifted to all of them. All but the names is
-/// filled in.
-/// \param maps  one per shape; taken apart on the way
+/// Distributes landmarks over the dense mean of the shapes, repairs them and lifts them to all shapes. The
+/// names of the result are left empty.
+/// \param maps  one per shape; consumed
 Landmarks landmarks_by_torus(const std::vector<Mesh>& shapes, std::vector<TorusMap> maps,
                              const PlaceLandmarksOptions& options, const RunContext& ctx);
 

@@ -1,10 +1,10 @@
 #include "foramen/landmarks/place_landmarks.hpp"
-#include "correspond/register_group.hpp"
-#include "correspond/register_shape.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <utility>
 
+#include "correspond/register_group.hpp"
+#include "correspond/register_shape.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "landmarks/landmarks_by_icp.hpp"
 #include "landmarks/landmarks_by_torus.hpp"
 #include "sampling/lift_to_surface.hpp"

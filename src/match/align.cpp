@@ -1,5 +1,4 @@
 #include "foramen/match/align.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -9,6 +8,7 @@
 #include "match/oriented_points.hpp"
 #include "match/principal_frame.hpp"
 #include "match/rigid_descent.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 namespace {
@@ -16,22 +16,22 @@ namespace {
 using detail::Match;
 using detail::Pose;
 
-constexpr int coarse_samples = 400;  // a side: enough to tell a right start from a wrong one
+constexpr int coarse_samples = 400;  // per shape: enough to distinguish a correct start from a wrong one
 constexpr int coarse_targets = 3000;
-constexpr int least_targets = 10000;  // of the fine iterations
-constexpr int finalists = 4;          // starts that are followed further
+constexpr int least_targets = 10000;  // number of targets in the fine iterations
+constexpr int finalists = 4;          // number of starts that are continued
 constexpr int full_steps = 30;        // see DescentOptions
 constexpr std::uint64_t sample_seed = 1, target_seed = 2;
 
-// The vertices, or samples where these would lie so far apart that their spacing counted as a difference of
-// the shapes.
+// The vertices of a mesh. A coarse mesh is represented by samples, because the distances between its vertices
+// would count as differences of the shapes.
 std::vector<OrientedPoint> dense_points(const Mesh& mesh, const VertexMap<Vec3>& normals) {
   if (mesh.vertex_count() < least_targets) return oriented_samples(mesh, normals, least_targets, target_seed);
   return oriented_vertices(mesh, normals);
 }
 
-/// What one shape brings to the matching: samples that look for a partner, and targets among which the
-/// other's find theirs.
+/// One shape in the matching: samples for which partners are sought on the other shape, and targets among
+/// which the samples of the other shape find their partners.
 struct Side {
   std::vector<OrientedPoint> samples;
   IndexedPoints targets;
@@ -55,7 +55,7 @@ Pose descent(const Side& moving, const Side& fixed, const RigidTransform& start,
       {.iteration_limit = iterations, .tolerance = options.tolerance, .full_steps = full_steps}, ctx);
 }
 
-// All starts, followed by a few iterations each; the best few distinct ones by some more. Best first.
+// Runs a few iterations from all starts and some more from the best few distinct poses. Best first.
 std::vector<Pose> coarse_search(const Side& moving, const Side& fixed, const Mesh& moving_mesh,
                                 const Mesh& fixed_mesh, const AlignOptions& options, const RunContext& ctx) {
   const detail::PrincipalFrame from = detail::principal_frame(moving_mesh),

@@ -1,5 +1,4 @@
 #include "foramen/match/align_part.hpp"
-#include "match/oriented_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
+#include "match/oriented_points.hpp"
 #include "match/rigid_descent.hpp"
 
 namespace foramen {
@@ -18,17 +18,17 @@ namespace {
 using detail::Pose;
 
 constexpr int targets_on_whole = 10000;
-constexpr double anchor_depth = 0.5;  // anchors lie so far from the whole's centroid towards its surface
+constexpr double anchor_depth = 0.5;  // position of anchors between the centroid of the whole and its surface
 constexpr std::uint64_t part_seed = 1, whole_seed = 2;
 
-// Rounds of the search: so many poses, followed for so many iterations with so many samples.
+// A round of the search: number of poses that are continued, of iterations and of samples.
 struct Round {
   int poses, iterations, samples;
 };
 constexpr Round rounds[] = {
     {std::numeric_limits<int>::max(), 4, 80}, {150, 6, 150}, {40, 12, 300}, {12, 20, 600}};
 
-// Rotations spread evenly over all there are \cite alexa2022.
+// Evenly distributed rotations \cite alexa2022.
 std::vector<Mat3> spread_rotations(int count) {
   constexpr double phi = std::numbers::sqrt2, psi = 1.533751168755204288118041;
   std::vector<Mat3> rotations;
@@ -44,7 +44,8 @@ std::vector<Mat3> spread_rotations(int count) {
   return rotations;
 }
 
-// The centroid, and points halfway from it to the places of the surface farthest from it and from each other.
+// The centroid, and points halfway between it and surface points that are far from it and from each other
+// (farthest-point sampling).
 std::vector<Vec3> spread_anchors(const std::vector<OrientedPoint>& points, const Vec3& centroid, int count) {
   std::vector<Vec3> anchors{centroid};
   std::vector<double> distance(points.size(), std::numeric_limits<double>::infinity());
@@ -100,7 +101,7 @@ class PartSearch {
     return all;
   }
 
-  // Moves every pose on and sorts them, best first.
+  // Continues all poses by some iterations and sorts them, best first.
   void follow(std::vector<Pose>& poses, const std::vector<OrientedPoint>& samples, int iterations) const {
     const auto matching = [&](const RigidTransform& at) { return detail::matches_of(samples, targets_, at); };
     const detail::DescentOptions options{.iteration_limit = iterations, .tolerance = options_.tolerance};

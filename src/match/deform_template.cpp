@@ -1,6 +1,4 @@
 #include "match/deform_template.hpp"
-#include "match/oriented_points.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +10,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "match/oriented_points.hpp"
+#include "spatial/point_index.hpp"
 
 namespace foramen {
 namespace {
@@ -31,7 +31,7 @@ void check(const Mesh& surface, const Eigen::MatrixXd& functions, const DeformTe
   check_options("deform_template", options);
 }
 
-/// Area-stratified vertices of the template: each sample of the surface by the nearest corner.
+/// Vertices of the template, stratified by area: the nearest corner of each sample of the surface.
 std::vector<int> sampled_vertices(const Mesh& surface, int count) {
   std::vector<int> vertices;
   vertices.reserve(count);
@@ -43,7 +43,7 @@ std::vector<int> sampled_vertices(const Mesh& surface, int count) {
   return vertices;
 }
 
-/// All matches of a template vertex as one: \f$ (u - goal)^T W (u - goal) \f$, W goal kept in their place.
+/// All matches of one template vertex combined to \f$ (u - goal)^T W (u - goal) \f$; W and W goal are stored.
 struct Pull {
   int vertex;
   Mat3 weight = Mat3::Zero();
@@ -64,7 +64,7 @@ class Fit {
         area_per_sample_(total_area(shape) / options.match.samples),
         area_per_vertex_(total_area(surface) / options.match.samples) {}
 
-  /// One set of matches, and the displacement that explains them best.
+  /// One iteration: computes matches and the displacement that fits them best.
   Mesh improved(const Mesh& bent, double noise) const {
     const IndexedPoints on_template(oriented_vertices(bent), options_.match.normal_weight);
     std::vector<VertexMatch> matches;
@@ -101,7 +101,7 @@ class Fit {
     return all;
   }
 
-  // (P + sum phi^T W phi) a = q + sum phi^T W goal. One column of coefficients per coordinate.
+  // (P + sum phi^T W phi) a = q + sum phi^T W goal. Returns one column of coefficients per coordinate.
   Eigen::MatrixX3d solved(const std::vector<Pull>& pulls) const {
     const auto count = static_cast<Eigen::Index>(pulls.size()), rank = functions_.cols();
     Eigen::MatrixXd at_pulls(count, rank);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Points of a surface with the normals there, and the search among them.
+/// Points of a surface with normals, and nearest-point search among them.
 
 #include <cstdint>
 #include <vector>
@@ -17,23 +17,26 @@ struct OrientedPoint {
   bool at_border = false;  ///< Whether its triangle has a vertex on an open border of the surface.
 };
 
+/// The point and its normal moved by a rigid transform.
 OrientedPoint moved(const OrientedPoint& point, const RigidTransform& motion);
 
-/// The direction between two normals; the second where they are opposed.
+/// The normalised mean of two normals; the second one if they are opposite.
 Vec3 mean_normal(const Vec3& a, const Vec3& b);
 
-/// The vertices of a surface. \param normals  of the vertices
+/// The vertices of a surface with their normals.
+/// \param normals  normals of the vertices
 std::vector<OrientedPoint> oriented_vertices(const Mesh& mesh, const VertexMap<Vec3>& normals);
 std::vector<OrientedPoint> oriented_vertices(const Mesh& mesh);
 
-/// `count` points spread evenly over a surface by sample_surface(), each with the normals of its triangle's
-/// vertices interpolated. The samples of a surface that was moved are the moved samples, to rounding.
-/// \param normals  of the vertices  \param seed  of the random draws
+/// `count` points of a surface, stratified by area (sample_surface()), with normals interpolated from the
+/// vertices. Up to rounding, the samples of a moved surface are the moved samples of the surface.
+/// \param normals  normals of the vertices
+/// \param seed  seed of the random draws
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const VertexMap<Vec3>& normals, int count,
                                             std::uint64_t seed);
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, int count, std::uint64_t seed);
 
-/// Oriented points, and the search for the nearest by position and normal together: see OrientedPointIndex.
+/// Oriented points with an index for nearest-point search by position and normal (OrientedPointIndex).
 class IndexedPoints {
  public:
   /// \param normal_weight  mm per unit of normal difference. >= 0.
@@ -49,8 +52,8 @@ class IndexedPoints {
   OrientedPointIndex index_;
 };
 
-/// For each vertex of `from` the nearest vertex of `to` by position and normal, with the weight of normals
-/// that serves vertebrae.
+/// For each vertex of `from` the nearest vertex of `to` by position and normal, with the weight
+/// vertebra_normal_weight_mm.
 VertexMap<VertexId> nearest_vertices(const Mesh& from, const Mesh& to);
 
 }  // namespace foramen

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The pose of a surface by its second moments, known up to a rotation of the axes among themselves.
+/// The pose of a surface by its second moments, which determine it up to 24 rotations that permute and
+/// reverse the axes.
 
 #include <vector>
 
@@ -9,14 +10,14 @@
 namespace foramen::detail {
 
 struct PrincipalFrame {
-  Vec3 centre;  ///< area-weighted centroid
+  Vec3 centre;  ///< area-weighted centroid, mm
   Mat3
       axes;  ///< columns: eigenvectors of the area-weighted covariance, smallest variance first, right-handed
 };
 
 PrincipalFrame principal_frame(const Mesh& mesh);
 
-/// The 24 rotations that carry a frame of axes onto itself, signs and order aside.
+/// The 24 rotations that permute the coordinate axes and their directions.
 std::vector<Mat3> proper_matchings();
 
 }  // namespace foramen::detail

@@ -1,14 +1,15 @@
 #include "match/rigid_descent.hpp"
-#include "spatial/point_index.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "spatial/point_index.hpp"
+
 namespace foramen::detail {
 namespace {
 
-constexpr double residual_cap = 12;  // mm: beyond it a match says no more than that there is none
-constexpr double least_scale = 0.1;  // mm: below it differences are noise of the meshes
+constexpr double residual_cap = 12;  // mm: a larger distance only means that there is no partner
+constexpr double least_scale = 0.1;  // mm: smaller differences are noise of the meshes
 constexpr double same_angle = 0.2;   // rad
 
 double largest_motion(const RigidTransform& step, std::span<const Match> matches) {

@@ -14,8 +14,9 @@ namespace {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double median_to_deviation = 1.4826;  // of a normal distribution
-constexpr double tukey_cutoff = 4.685;  // standard deviations: 95 % efficient where nothing is an outlier
+// Standard deviation / median of |x| for a normal distribution.
+constexpr double median_to_deviation = 1.4826;
+constexpr double tukey_cutoff = 4.685;  // standard deviations: 95 % efficiency for data without outliers
 
 double sq(double x) { return x * x; }
 
@@ -58,7 +59,7 @@ RigidTransform rigid_step(std::span<const Match> matches, std::span<const double
   Vec6 right_side = Vec6::Zero();
   for (std::size_t i = 0; i < matches.size(); ++i) {
     const Match& m = matches[i];
-    // The residual d + omega x (middle - centre) + t, measured by the metric.
+    // The residual is d + omega x (middle - centre) + t, measured in the metric of the match.
     const Mat3 metric = weights[i] * ((1 - options.point_share) * m.normal * m.normal.transpose() +
                                       options.point_share * Mat3::Identity());
     const Mat3 arm = cross_matrix(middle(m) - centre);  // omega x a = -arm omega

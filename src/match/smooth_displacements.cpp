@@ -25,7 +25,7 @@ double covariance(const std::vector<DisplacementScale>& scales, double squared_d
   return sum;
 }
 
-// K ~ L L^T: always the column of the point whose variance is explained worst.
+// K ~ L L^T. The next pivot is always the point with the largest variance that is not yet explained.
 Eigen::MatrixXd pivoted_cholesky(std::span<const Vec3> points, const SmoothDisplacementOptions& options) {
   const auto count = static_cast<Eigen::Index>(points.size());
   const Eigen::Index most = std::min<Eigen::Index>(count, options.most_functions);
@@ -45,7 +45,8 @@ Eigen::MatrixXd pivoted_cholesky(std::span<const Vec3> points, const SmoothDispl
   return factor;
 }
 
-// The same process with its strongest functions first. A sign is free: the largest value is positive.
+// The same process in a basis ordered by decreasing norm. The sign of a function makes its largest value
+// positive.
 Eigen::MatrixXd strongest_first(const Eigen::MatrixXd& factor) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(factor.transpose() * factor);
   Eigen::MatrixXd functions = factor * gram.eigenvectors().rowwise().reverse();

@@ -8,7 +8,7 @@
 namespace foramen {
 namespace {
 
-constexpr double least_variation_mm = 1e-5;  // of a landmark; rounding of coordinates in files is as large
+constexpr double least_variation_mm = 1e-5;  // per landmark; about the rounding of coordinates in files
 
 }  // namespace
 

@@ -18,8 +18,7 @@ std::vector<double> landmark_weights(const std::vector<std::vector<Vec3>>& shape
     if (!(weights[i] > 0))
       throw InvalidInput(
           "landmark " + std::to_string(i) +
-          ": its triangles have no area on the mean shape, so it has no area weight; take equal "
-          "weights");
+          ": its triangles have no area on the mean shape, so it has no area weight; take equal weights");
     weights[i] /= mean_area;
   }
   return weights;

@@ -13,7 +13,8 @@ namespace foramen {
 namespace {
 
 constexpr double mean_tolerance = 1e-10;  // of the mean shape's size
-constexpr int iteration_limit = 1000;     // a handful is usual; nearly round shapes turn slowly
+// Usually fewer than ten are needed; nearly round shapes converge slowly.
+constexpr int iteration_limit = 1000;
 
 double weight_of(std::span<const double> weights, std::size_t i) {
   return weights.empty() ? 1.0 : weights[i];
@@ -68,7 +69,8 @@ Mat3 best_rotation(std::span<const Vec3> moving, const Vec3& moving_centre, std:
     h += weight_of(weights, i) * (moving[i] - moving_centre) * (fixed[i] - fixed_centre).transpose();
   const Eigen::JacobiSVD<Mat3> svd(h, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Mat3 &u = svd.matrixU(), &v = svd.matrixV();
-  // The smallest singular value pays for a reflection that plain least squares would choose.
+  // If the unconstrained optimum is a reflection, the best rotation flips the axis of the smallest singular
+  // value.
   const double handedness = (v * u.transpose()).determinant() < 0 ? -1.0 : 1.0;
   return v * Vec3(1, 1, handedness).asDiagonal() * u.transpose();
 }
@@ -109,7 +111,7 @@ void check_shapes(const std::vector<std::vector<Vec3>>& shapes) {
   }
 }
 
-/// Centres and, where asked, scales each shape; no rotation yet.
+/// Transforms that centre each shape and, with ScaleMode::remove, scale it; they do not rotate.
 std::vector<SimilarityTransform> centred(const std::vector<std::vector<Vec3>>& shapes, ScaleMode scale,
                                          std::span<const double> weights) {
   std::vector<SimilarityTransform> transforms(shapes.size());
@@ -202,8 +204,8 @@ ProcrustesResult procrustes(const std::vector<std::vector<Vec3>>& shapes, ScaleM
     result.mean = std::move(next);
   }
 
-  // Rotations that were multiplied many times are made orthonormal once more, then all turn back with the
-  // first shape.
+  // All shapes are rotated back so that the first keeps its orientation. Products of many rotations have lost
+  // orthonormality by rounding, so each rotation is normalised.
   const Mat3 back = result.transforms[0].rotation.transpose();
   for (std::size_t s = 0; s < shapes.size(); ++s) {
     SimilarityTransform& t = result.transforms[s];

@@ -13,11 +13,11 @@
 namespace foramen {
 namespace {
 
-constexpr double smallest_variance_ratio = 1e-10;  // modes below this part of the first are dropped
+constexpr double smallest_variance_ratio = 1e-10;  // relative to the variance of the first mode
 constexpr double rounding_of_shapes =
-    1e-12;  // differences below this part of a shape's size are rounding, not variation
+    1e-12;  // relative to the size of a shape: smaller differences are rounding
 
-/// One shape a column, about the mean.
+/// One column per shape: its difference from the mean.
 Eigen::MatrixXd centred_columns(const std::vector<std::vector<Vec3>>& aligned, const Eigen::VectorXd& mean) {
   Eigen::MatrixXd x(mean.size(), static_cast<Eigen::Index>(aligned.size()));
   for (std::size_t s = 0; s < aligned.size(); ++s)
@@ -31,20 +31,21 @@ Eigen::VectorXd mean_of(const std::vector<std::vector<Vec3>>& aligned) {
   return mean / static_cast<double>(aligned.size());
 }
 
-/// Rows times the roots of their landmarks' weights: coordinates in which the weights' inner product is the
-/// plain one.
+/// Multiplies rows by the square roots of the landmark weights. In these coordinates the weighted inner
+/// product is the Euclidean one.
 void scale_rows(Eigen::Ref<Eigen::MatrixXd> x, const std::vector<double>& weights) {
   for (std::size_t i = 0; i < weights.size(); ++i)
     x.middleRows<3>(static_cast<Eigen::Index>(3 * i)) *= std::sqrt(weights[i]);
 }
 
-/// The way back.
+/// The inverse of scale_rows().
 void unscale_rows(Eigen::Ref<Eigen::MatrixXd> x, const std::vector<double>& weights) {
   for (std::size_t i = 0; i < weights.size(); ++i)
     x.middleRows<3>(static_cast<Eigen::Index>(3 * i)) /= std::sqrt(weights[i]);
 }
 
-/// Makes column k orthonormal to the columns before it; twice is enough. False if nothing of it is left.
+/// Makes column k orthonormal to the columns before it by Gram-Schmidt; the second pass removes the rounding
+/// of the first. False if the column depends linearly on them.
 bool orthonormalise(Eigen::MatrixXd& basis, Eigen::Index k) {
   for (int pass = 0; pass < 2; ++pass) {
     for (Eigen::Index j = 0; j < k; ++j) basis.col(k) -= basis.col(j).dot(basis.col(k)) * basis.col(j);
@@ -55,7 +56,7 @@ bool orthonormalise(Eigen::MatrixXd& basis, Eigen::Index k) {
   return true;
 }
 
-/// The largest component is positive; of equal ones the first counts.
+/// Makes the largest component of each mode positive; of components of equal size the first one counts.
 void fix_signs(Eigen::MatrixXd& basis) {
   for (Eigen::Index k = 0; k < basis.cols(); ++k) {
     Eigen::Index largest = 0;
@@ -69,16 +70,16 @@ struct Modes {
   Eigen::VectorXd variance;
 };
 
-/// What is too small to be a mode.
+/// Variances below either of these bounds are no modes.
 struct SmallestVariance {
   double absolute = 0;           // mm^2
-  double relative_to_first = 0;  // of the first mode's
+  double relative_to_first = 0;  // relative to the variance of the first mode
 };
 
-/// At most `most` modes of x x^T / divisor, x in coordinates without weights.
+/// At most `most` modes of x x^T / divisor; the rows of x are scaled by scale_rows().
 Modes principal_modes(const Eigen::MatrixXd& x, double divisor, Eigen::Index most,
                       SmallestVariance smallest) {
-  // n x n in place of 3P x 3P: the eigenvectors of X^T X give those of X X^T.
+  // The eigenvectors of the n x n matrix X^T X give those of the much larger 3P x 3P matrix X X^T.
   const Eigen::MatrixXd gram = x.transpose() * x / divisor;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
   if (eigen.info() != Eigen::Success)
@@ -87,7 +88,7 @@ Modes principal_modes(const Eigen::MatrixXd& x, double divisor, Eigen::Index mos
   Eigen::VectorXd variance(most);
   Eigen::Index kept = 0;
   for (Eigen::Index k = 0; k < most; ++k) {
-    const Eigen::Index column = x.cols() - 1 - k;  // Eigen sorts upwards
+    const Eigen::Index column = x.cols() - 1 - k;  // Eigen sorts eigenvalues in increasing order
     basis.col(kept) = x * eigen.eigenvectors().col(column);
     if (!orthonormalise(basis, kept)) continue;
     variance[kept] = (basis.col(kept).transpose() * x).squaredNorm() / divisor;
@@ -221,7 +222,8 @@ ShapeModel model_of_aligned(const std::vector<std::vector<Vec3>>& aligned,
   scale_rows(scaled_mean, weights);
   const double divisor = static_cast<double>(aligned.size() - 1);
 
-  // About the centroid: a cohort far from the origin has no more rounding to hide than its own digits.
+  // The bound for rounding follows the size of the coordinates: the norm of the mean or, if larger, of the
+  // variation.
   const double rounding = rounding_of_shapes * std::max(scaled_mean.norm(), x.norm() / std::sqrt(divisor));
   Modes modes =
       principal_modes(x, divisor, x.cols() - 1,

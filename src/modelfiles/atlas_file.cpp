@@ -10,7 +10,7 @@
 namespace foramen {
 namespace {
 
-// A row per item; Item is an Eigen vector or an array of `columns` numbers.
+// A matrix with a row for each item. An item is an Eigen vector or an array of `columns` numbers.
 template <class Number, class Items>
 H5Matrix<Number> rows_of(const Items& items, std::size_t columns) {
   H5Matrix<Number> matrix{items.size(), columns, {}};

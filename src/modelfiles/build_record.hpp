@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A model built of read shapes, with where they come from.
+/// A model and the origin of its shapes.
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace foramen {
 struct BuildRecord {
   std::vector<InputShape> inputs;  ///< of the model's shapes, in its order
   std::vector<LeftOut> left_out;   ///< when reading or registering
-  std::vector<std::string> notes;  ///< what the user should know though it is no error
+  std::vector<Message> notes;      ///< what the user should know though it is no error
   BuiltModel built;
 };
 

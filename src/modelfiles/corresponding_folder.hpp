@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Folders of meshes in correspondence: ours, another tool's, or the truth of a synthetic set.
+/// Folders of corresponding meshes: those of foramen, of another tool, or the truth of a synthetic set.
 
 #include <filesystem>
 #include <string>
@@ -12,12 +12,13 @@
 
 namespace foramen {
 
-/// Meshes with identical triangles. Throws InvalidInput naming the first that differs.
+/// Meshes with identical triangles. Reading throws InvalidInput, which names the first mesh with other
+/// triangles.
 struct CorrespondingFolder {
   std::vector<std::string> names;  ///< stems, sorted
   std::vector<std::array<int, 3>> triangles;
   std::vector<std::vector<Vec3>> shapes;  ///< mm
-  std::vector<AnatomicalSpace> spaces;    ///< of each; untagged is LPS
+  std::vector<AnatomicalSpace> spaces;    ///< one per shape; LPS if a file has no tag
 };
 CorrespondingFolder read_corresponding(const std::filesystem::path& folder,
                                        LengthUnit unit = LengthUnit::millimetre);

@@ -1,10 +1,11 @@
 #include "modelfiles/error_maps_file.hpp"
-#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "io/hdf5_file.hpp"
+#include "io/single_precision.hpp"
 
 namespace foramen {
 namespace {
@@ -29,6 +30,11 @@ void write_error_maps(const std::filesystem::path& path, const std::vector<Named
       file.vector<std::int32_t>(group_of(name) + "/confirmed_flips", map.confirmed_flips);
     }
   });
+}
+
+ErrorMap in_single_precision(ErrorMap map) {
+  for (double& mm : map.landmark_mm) mm = rounded_to_single(mm);
+  return map;
 }
 
 std::vector<ErrorMap> read_error_maps(const std::filesystem::path& path,

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where on each shape its corresponding mesh departs from the input, as a file.
+/// The error maps of all shapes, as a file.
 
 #include <filesystem>
 #include <string>
@@ -16,9 +16,13 @@ struct NamedErrorMap {
   ErrorMap map;
 };
 
-/// HDF5 with these paths, P landmarks: /shapes/NAME/landmark_mm (P) single precision,
-/// /shapes/NAME/plain_flips and /shapes/NAME/confirmed_flips, indices of landmark triangles.
+/// Writes an HDF5 file with these paths, where P is the number of landmarks: /shapes/NAME/landmark_mm (P) in
+/// single precision, and /shapes/NAME/plain_flips and /shapes/NAME/confirmed_flips, which hold indices of
+/// landmark triangles.
 void write_error_maps(const std::filesystem::path& path, const std::vector<NamedErrorMap>& maps);
+
+/// The map that is read back of one that is written.
+ErrorMap in_single_precision(ErrorMap map);
 
 /// The maps of the shapes of these names, in their order. Throws IoError if one is missing or does not fit a
 /// mesh of so many landmarks and triangles.

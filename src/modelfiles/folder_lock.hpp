@@ -1,13 +1,14 @@
 #pragma once
 /// \file
-/// One build at a time in a model's folder.
+/// A lock that lets only one build at a time write into a model's folder.
 
 #include <filesystem>
 
 namespace foramen {
 
-/// Holds a folder for this process until destroyed; the system lets go of it however the process ends. Throws
-/// InvalidInput if another holds it. Where the file system knows no locks there is none.
+/// Locks a folder for this process. The destructor unlocks it, and the system does so if the process ends in
+/// any other way. The constructor throws InvalidInput if another process holds the lock. On a file system
+/// without locks, nothing is locked.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

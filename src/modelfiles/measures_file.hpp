@@ -9,7 +9,7 @@
 
 namespace foramen {
 
-/// JSON of this form, all three parts optional:
+/// Parses JSON of this form, in which each of the three parts is optional:
 ///
 ///     {
 ///       "points":    {"tip": [1.5, 40, -3], "front": 17},
@@ -17,11 +17,11 @@ namespace foramen {
 ///       "regions":   {"facet": {"centre": "tip", "radius_mm": 6}, "rim": {"landmarks": [3, 4, 5]}}
 ///     }
 ///
-/// A point is a landmark's index or a position [mm] on mean.ply. Throws InvalidInput naming the part that is
-/// not of this form.
+/// A point is a landmark's index or a position [mm] on mean.ply. Throws InvalidInput, which names the part
+/// that does not have this form.
 MeasureDefinitions parse_measures(const std::string& text);
 
-/// The same from a file. Throws IoError naming file and part.
+/// As parse_measures(), for a file. Throws IoError, which names the file and the part.
 MeasureDefinitions read_measures(const std::filesystem::path& path);
 
 }  // namespace foramen

@@ -48,7 +48,7 @@ ordered_json mesh_report_json(const MeshReport& r) {
                                              : ordered_json();
   if (obstacle) {
     out["finding"] = obstacle->finding;
-    out["remedy"] = obstacle->remedy;
+    out["remedy"] = obstacle->advice;
   }
   return out;
 }

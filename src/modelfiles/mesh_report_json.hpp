@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The audit of a surface for other programs.
+/// The audit of a surface as JSON.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -8,11 +8,12 @@
 
 namespace foramen {
 
-/// Everything a report holds, whether the surface can be used for a model (usable; if not, finding and
-/// remedy) and the unit its size suggests (likely_units: mm, cm, m, um or null).
+/// All members of the report. `usable` says whether the surface can be used for a model; if it cannot,
+/// `finding` and `remedy` say why and what to do. `likely_units` is the unit that the size suggests: mm, cm,
+/// m, um or null.
 nlohmann::ordered_json mesh_report_json(const MeshReport& report);
 
-/// Whether its size is that of a vertebra in mm.
+/// Whether the surface has the size of a vertebra if its unit is mm.
 bool is_in_millimetres(const MeshReport& report);
 
 }  // namespace foramen

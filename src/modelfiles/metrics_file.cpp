@@ -272,7 +272,8 @@ Evaluation parse_metrics(std::string_view json, const std::string& name) {
     return evaluation_from(ordered_json::parse(json));
   } catch (const nlohmann::json::exception& e) {
     throw IoError(name + ": is not a metrics file of this version (" + e.what() +
-                  "); `foramen evaluate -o` writes it anew");
+                      "); an evaluation of the model writes it anew",
+                  {{RemedyKind::evaluate_model}});
   }
 }
 
@@ -285,7 +286,9 @@ Evaluation read_metrics(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "metrics.json";
   std::ifstream in(file, std::ios::binary);
   if (!in)
-    throw IoError(file.string() + ": cannot be read; `foramen build` and `foramen evaluate -o` write it");
+    throw IoError(
+        file.string() + ": cannot be read; the build of a model writes it, and so does an evaluation",
+        {{RemedyKind::build_model}, {RemedyKind::evaluate_model}});
   return parse_metrics(std::string(std::istreambuf_iterator<char>(in), {}), file.string());
 }
 

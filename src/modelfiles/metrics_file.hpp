@@ -10,24 +10,25 @@
 
 namespace foramen {
 
-/// The contents of metrics.json: estimates of every measure at every number of modes, and what is known of
+/// The contents of metrics.json: the estimate of every measure at every number of modes, and the measures of
 /// each shape.
 std::string metrics_json(const Evaluation& evaluation);
 
-/// The way back: everything but the single items behind the estimates. Throws IoError, which calls the text
-/// by this name.
+/// Parses what metrics_json() wrote. The result lacks the values of single items from which the estimates
+/// were computed. Throws IoError, whose message calls the text by this name.
 Evaluation parse_metrics(std::string_view json, const std::string& name);
 
-/// FOLDER/metrics.json, and FOLDER/metrics.csv with the columns item, kind (shape or draw), modes, measure,
-/// value, unit: one row per shape or draw, number of modes and measure. Each whole or not at all. Depends on
-/// nothing but the evaluation's figures (no times).
+/// Writes FOLDER/metrics.json, and FOLDER/metrics.csv with the columns item, kind (shape or draw), modes,
+/// measure, value, unit: one row per shape or draw, number of modes and measure. Each file is written whole
+/// or not at all. The bytes depend only on the results of the evaluation, not on its duration.
 void write_metrics(const std::filesystem::path& folder, const Evaluation& evaluation);
 
 /// Reads FOLDER/metrics.json back. Throws IoError.
 Evaluation read_metrics(const std::filesystem::path& folder);
 
-/// The same with what FOLDER/metrics.csv holds of each shape: the items of the generalizations, in the order
-/// of the names. Those of draws are left out. Throws IoError if the two files do not belong together.
+/// As read_metrics(), with the generalization errors of each shape from FOLDER/metrics.csv, in the order of
+/// the names. The values of single draws are not read. Throws IoError if the two files do not belong
+/// together.
 Evaluation read_metrics_of_shapes(const std::filesystem::path& folder);
 
 }  // namespace foramen

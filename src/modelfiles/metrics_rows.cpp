@@ -36,7 +36,7 @@ class MetricRows {
   std::vector<Row> rows_;
 };
 
-// The rows of metrics.csv that are about shapes.
+// The values of shapes in metrics.csv.
 class ShapeFigures {
  public:
   explicit ShapeFigures(const std::filesystem::path& file) : file_(file.string()) {
@@ -55,7 +55,8 @@ class ShapeFigures {
     const auto found = figures_.find({measure, std::to_string(modes), shape});
     if (found == figures_.end())
       throw IoError(file_ + ": holds no " + measure + " of " + shape + " at " + std::to_string(modes) +
-                    " modes, as metrics.json beside it says; `foramen evaluate -o` writes both anew");
+                        " modes, as metrics.json beside it says; an evaluation of the model writes both anew",
+                    {{RemedyKind::evaluate_model}});
     return found->second;
   }
   void fill(Generalization& generalization, const std::string& measure,

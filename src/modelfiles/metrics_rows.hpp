@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// metrics.csv: the single items behind the estimates of metrics.json.
+/// metrics.csv: the values of single shapes and draws, from which the estimates of metrics.json are computed.
 
 #include <filesystem>
 
@@ -8,11 +8,11 @@
 
 namespace foramen {
 
-/// One row per shape or draw, number of modes and measure.
+/// Writes one row per shape or draw, number of modes and measure.
 void write_metrics_rows(const std::filesystem::path& file, const Evaluation& evaluation);
 
-/// Fills the items of the generalizations, in the order of the names, from the rows about shapes. Throws
-/// IoError if the file holds no row for one of them.
+/// Reads the generalization errors of each shape, in the order of the names, into the evaluation. Throws
+/// IoError if the file has no row for one of them.
 void read_shape_items(const std::filesystem::path& file, Evaluation& evaluation);
 
 }  // namespace foramen

@@ -17,14 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "mode01_minus2sd": two digits for the mode, the number of standard deviations without trailing zeros.
+// For example "mode01_minus2sd": the mode has two digits, the number of standard deviations no trailing
+// zeros.
 std::string mode_file(int mode, double sd) {
   char text[64];
   std::snprintf(text, sizeof text, "mode%02d_%s%gsd.ply", mode + 1, sd < 0 ? "minus" : "plus", std::abs(sd));
   return text;
 }
 
-/// The shapes of these scores, given in standard deviations.
+/// The shapes with these scores, which are in standard deviations.
 std::vector<Eigen::VectorXd> shapes_of(const ShapeModel& model, const Eigen::MatrixXd& scores) {
   std::vector<Eigen::VectorXd> shapes;
   shapes.reserve(scores.cols());
@@ -61,6 +62,26 @@ void write_scores(const fs::path& path, const BuildRecord& record) {
   write_csv(path, header, rows);
 }
 
+LoadedModel loaded(StatismoModel file, AnatomicalSpace space) {
+  LoadedModel loaded{.model = ShapeModel(std::move(file.mean), std::move(file.basis),
+                                         std::move(file.variance), std::move(file.triangles)),
+                     .names = {},
+                     .scores = std::move(file.scores),
+                     .space = space};
+  for (const std::string& uri : file.shape_uris) loaded.names.push_back(fs::path(uri).stem().string());
+  if (!file.landmark_weights.empty()) {
+    const std::vector<Eigen::VectorXd> shapes = shapes_of(loaded.model, loaded.scores);
+    loaded.model = reweighted(loaded.model, std::move(file.landmark_weights));
+    loaded.scores = scores_of(loaded.model, shapes);
+  }
+  return loaded;
+}
+
+// The reference's: its coordinates are the model's.
+AnatomicalSpace space_of(const BuildRecord& record) {
+  return record.inputs[record.built.registration.reference].space;
+}
+
 }  // namespace
 
 std::string build_time() {
@@ -75,21 +96,16 @@ std::string build_time() {
 
 LoadedModel load_model(const fs::path& path) {
   const fs::path file = fs::is_directory(path) ? path / "model.h5" : path;
-  if (!fs::exists(file)) throw IoError(file.string() + ": there is no such model; `foramen build` makes one");
-  StatismoModel read = read_statismo(file);
-  LoadedModel loaded;
-  for (const std::string& uri : read.shape_uris) loaded.names.push_back(fs::path(uri).stem().string());
-  loaded.scores = std::move(read.scores);
-  loaded.model = ShapeModel(std::move(read.mean), std::move(read.basis), std::move(read.variance),
-                            std::move(read.triangles));
-  if (!read.landmark_weights.empty()) {
-    const std::vector<Eigen::VectorXd> shapes = shapes_of(loaded.model, loaded.scores);
-    loaded.model = reweighted(loaded.model, std::move(read.landmark_weights));
-    loaded.scores = scores_of(loaded.model, shapes);
-  }
+  if (!fs::exists(file))
+    throw IoError(file.string() + ": there is no such model; build it", {{RemedyKind::build_model}});
   const fs::path mean = file.parent_path() / "mean.ply";
-  if (fs::exists(mean)) loaded.space = read_mesh(mean).space.value_or(AnatomicalSpace::lps);
-  return loaded;
+  StatismoModel model = read_statismo(file);
+  return loaded(std::move(model), fs::exists(mean) ? read_mesh(mean).space.value_or(AnatomicalSpace::lps)
+                                                   : AnatomicalSpace::lps);
+}
+
+LoadedModel loaded_as_written(const BuildRecord& record, const std::string& command) {
+  return loaded(in_single_precision(file_of(record, command)), space_of(record));
 }
 
 Eigen::MatrixXd training_scores(const AlignedModel& aligned) {
@@ -116,7 +132,7 @@ void write_model_files(const fs::path& folder, const BuildRecord& record, const 
     write_ply(folder / "corresponding" / (input.stem + ".ply"), soup, input.space);
   }
   const ShapeModel& model = built.aligned.model;
-  const AnatomicalSpace space = record.inputs[built.registration.reference].space;
+  const AnatomicalSpace space = space_of(record);
   write_ply(folder / "mean.ply", {unflattened(model.mean()), triangles}, space);
   write_modes(folder / "modes", model, 2, space);
   write_scores(folder / "scores.csv", record);

@@ -1,6 +1,7 @@
 #include "modelfiles/model_record.hpp"
 
-#include <fstream>
+#include <algorithm>
+#include <utility>
 
 #include "foramen/core/error.hpp"
 #include "modelfiles/error_maps_file.hpp"
@@ -11,19 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-nlohmann::ordered_json read_run(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw IoError(file.string() + ": cannot be read; `foramen build` writes it");
-  try {
-    return nlohmann::ordered_json::parse(in);
-  } catch (const nlohmann::json::exception& e) {
-    throw IoError(file.string() + ": is not a run record of this version (" + e.what() + ")");
-  }
-}
-
 void require_one_model(const fs::path& folder, const ModelRecord& record) {
   const std::size_t shapes = record.evaluation.names.size();
-  const bool fits = record.loaded.names.size() == shapes &&
+  const auto used = std::count_if(record.run.shapes.begin(), record.run.shapes.end(),
+                                  [](const RunShape& shape) { return shape.used.has_value(); });
+  const bool fits = used == std::ssize(record.evaluation.names) && record.loaded.names.size() == shapes &&
                     record.evaluation.representation.shapes.size() == shapes &&
                     record.loaded.scores.cols() == static_cast<Eigen::Index>(shapes) &&
                     record.evaluation.landmarks == record.loaded.model.landmarks() &&
@@ -36,10 +29,8 @@ void require_one_model(const fs::path& folder, const ModelRecord& record) {
 
 }  // namespace
 
-bool is_used(const nlohmann::ordered_json& shape) { return shape.at("status") != "left out"; }
-
 ModelRecord read_model_record(const fs::path& folder) {
-  ModelRecord record{.run = read_run(folder / "run.json"),
+  ModelRecord record{.run = read_run(folder),
                      .evaluation = read_metrics_of_shapes(folder),
                      .atlas = read_atlas(folder / "atlas.h5"),
                      .loaded = load_model(folder),
@@ -49,6 +40,15 @@ ModelRecord read_model_record(const fs::path& folder) {
       read_error_maps(folder / "error_maps.h5", record.evaluation.names, record.loaded.model.landmarks(),
                       static_cast<int>(record.loaded.model.triangles().size()));
   return record;
+}
+
+ModelRecord record_as_written(RunRecord run, Evaluation evaluation, const BuildRecord& build) {
+  std::vector<ErrorMap> error_maps;
+  for (const ShapeRepresentation& shape : evaluation.representation.shapes)
+    error_maps.push_back(in_single_precision(shape.map));
+  LoadedModel loaded = loaded_as_written(build, run.command);
+  return {std::move(run), std::move(evaluation), atlas_of(build.built), std::move(loaded),
+          std::move(error_maps)};
 }
 
 }  // namespace foramen

@@ -1,30 +1,32 @@
 #pragma once
+/// \file
+/// What the files of a model's folder hold.
 
 #include <filesystem>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "foramen/evaluate/evaluate.hpp"
 #include "foramen/evaluate/representation.hpp"
 #include "modelfiles/atlas_file.hpp"
 #include "modelfiles/model_folder.hpp"
+#include "modelfiles/run_file.hpp"
 
 namespace foramen {
 
-/// What the files of a model's folder hold.
 struct ModelRecord {
-  nlohmann::ordered_json run;  ///< run.json
-  Evaluation evaluation;       ///< with the items of shapes
+  RunRecord run;
+  Evaluation evaluation;  ///< with the items of shapes
   Atlas atlas;
   LoadedModel loaded;
   std::vector<ErrorMap> error_maps;  ///< one per shape
 };
 
-/// Throws IoError if a file is missing or broken, or the files are not of one model.
+/// Reads the files. Throws IoError if a file is missing or broken, or if the files belong to different
+/// models.
 ModelRecord read_model_record(const std::filesystem::path& folder);
 
-/// Whether a shape of run.json is part of the model.
-bool is_used(const nlohmann::ordered_json& shape);
+/// The same of a build that is not read back. All numbers that a file holds in single precision have it here
+/// too, so that a page of this record is the page of the folder.
+ModelRecord record_as_written(RunRecord run, Evaluation evaluation, const BuildRecord& build);
 
 }  // namespace foramen

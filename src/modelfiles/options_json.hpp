@@ -1,9 +1,10 @@
 #pragma once
 /// \file
-/// Described options as JSON, by their names with units.
+/// Described options as JSON. The key of an option is its name with its unit.
 
 #include <nlohmann/json.hpp>
 
+#include "core/byte_archive.hpp"
 #include "foramen/core/options.hpp"
 
 namespace foramen {
@@ -30,7 +31,7 @@ nlohmann::ordered_json option_json(const Field& field) {
   }
 }
 
-/// A path of options as a pointer to its place in the object; the last name has its unit.
+/// The JSON pointer of the option with this path. The unit is a part of the last name.
 inline nlohmann::ordered_json::json_pointer option_pointer(const std::string& path, const OptionText& text) {
   std::string place("/");
   place += name_with_unit(path, text.unit);
@@ -39,8 +40,8 @@ inline nlohmann::ordered_json::json_pointer option_pointer(const std::string& pa
   return nlohmann::ordered_json::json_pointer(place);
 }
 
-/// An object with an entry for every option; those of a struct within it are objects of their own where the
-/// description says so.
+/// A JSON object with an entry for every option. The options of a nested struct form an object of their own
+/// if its description says so.
 template <DescribedOptions Options>
 nlohmann::ordered_json described_json(const Options& options) {
   nlohmann::ordered_json object = nlohmann::ordered_json::object();
@@ -50,8 +51,9 @@ nlohmann::ordered_json described_json(const Options& options) {
   return object;
 }
 
-/// Sets every option from such an object. Throws nlohmann::json::exception for one that is missing or of
-/// another kind, InvalidInput for a word that is none of the option's. \pre no lists and no optional values
+/// Sets every option from such an object. Throws nlohmann::json::exception if an option is missing or has
+/// another type, and InvalidInput if a word is not one of the option's words. \pre the options have no lists
+/// and no optional values
 template <DescribedOptions Options>
 void set_options(Options& options, const nlohmann::ordered_json& object) {
   for_each_option(options, [&](const std::string& path, auto& field, const OptionText& text) {

@@ -8,12 +8,13 @@
 
 namespace foramen {
 
-/// Scores of aligned shapes, modes x shapes, in standard deviations.
+/// The scores of aligned shapes, modes x shapes, in standard deviations.
 Eigen::MatrixXd scores_of(const ShapeModel& model, const std::vector<Eigen::VectorXd>& shapes);
 
-/// A model of these aligned shapes as a file holds it; names of the shapes are left to the caller. The layout
-/// knows modes that are orthonormal without weights only: it gets the same distribution of shapes in such
-/// modes, and the weights beside.
+/// The contents of the file of a model and its aligned shapes. The caller sets the names of the shapes. The
+/// layout of the file allows only modes that are orthonormal without weights. A model with landmark weights
+/// is therefore converted to such modes with the same distribution of shapes, and the weights are stored
+/// beside them.
 StatismoModel statismo_model(const ShapeModel& model, const std::vector<Eigen::VectorXd>& aligned,
                              const std::string& command);
 

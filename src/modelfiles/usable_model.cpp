@@ -1,17 +1,17 @@
 #include "modelfiles/usable_model.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <cmath>
 #include <utility>
 
 #include "foramen/core/error.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 
 namespace foramen {
 namespace {
 
 constexpr double scale_rounding = 1e-9;
 
-// Sizes were removed if the shapes' ways into model coordinates change them.
+// Sizes were removed if the transforms of the shapes into model coordinates have other scales than 1.
 ScaleMode scale_of(const Atlas& atlas) {
   for (const Eigen::Matrix4d& transform : atlas.transforms)
     if (std::abs(transform.topLeftCorner<3, 3>().determinant() - 1) > scale_rounding)

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A finished model with all that is needed to use it on new surfaces.
+/// A finished model with everything that is needed to apply it to new surfaces.
 
 #include <filesystem>
 #include <string>
@@ -15,7 +15,7 @@
 namespace foramen {
 
 struct UsableModel {
-  AlignedModel aligned;            ///< the training shapes as the model has them, and the model
+  AlignedModel aligned;            ///< the model and its aligned training shapes
   std::vector<std::string> names;  ///< stems of the training shapes
   ScaleMode scale = ScaleMode::keep;
   AnatomicalSpace space = AnatomicalSpace::lps;
@@ -23,12 +23,14 @@ struct UsableModel {
   Lattice lattice = Lattice::Identity();
 };
 
-/// Reads model.h5 and atlas.h5 of a model's folder. Throws IoError; also if the two are not of one model.
+/// Reads model.h5 and atlas.h5 of a model's folder. Throws IoError, also if the two files belong to different
+/// models.
 UsableModel read_usable_model(const std::filesystem::path& folder);
-/// The same where model.h5 has been read.
+/// As read_usable_model(), if model.h5 has already been read.
 UsableModel usable_model(LoadedModel loaded, const std::filesystem::path& folder);
 
-/// For surfaces that are to get the model's landmarks. Throws TopologyError if the mean cannot be a template.
+/// Makes the registrar that places the model's landmarks on new surfaces. Throws TopologyError if the mean
+/// cannot be a template.
 MeanRegistrar registrar_of(const UsableModel& model, const RunContext& ctx);
 
 }  // namespace foramen

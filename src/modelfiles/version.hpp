@@ -6,11 +6,11 @@
 
 namespace foramen {
 
-/// "major.minor.patch".
+/// The version as "major.minor.patch".
 std::string version();
 
-/// The version, and a hash of the running program's file where the system shows it: two builds of one version
-/// need not give the same bits.
+/// The version, and a hash of the running program's file if the system gives access to it. The hash is needed
+/// because two builds of the same version may compute different bits.
 std::string program_identity();
 
 }  // namespace foramen

@@ -30,7 +30,7 @@ std::string distances_png(const TriangleSoup& surface, const std::vector<double>
   return render_png({row}, picture_width);
 }
 
-// How far each landmark moves at 1 sd.
+// The distance by which each landmark moves at 1 standard deviation of a mode.
 std::vector<double> movement(const ShapeModel& model, int mode) {
   std::vector<double> mm;
   for (const Vec3& d : unflattened(model.along_mode(mode, 1) - model.mean())) mm.push_back(d.norm());

@@ -34,34 +34,31 @@ std::string megabytes(std::size_t bytes) { return fixed(static_cast<double>(byte
 
 }  // namespace
 
-ModelPage model_page(const fs::path& folder, const PageOptions& options) {
+ModelPage model_page(const ModelRecord& record, const PageOptions& options) {
   const PageKind kind = chosen(options.kind);
-  const std::optional<Baseline> baseline = read_baseline(options.baseline);
-  const ModelRecord record = read_model_record(folder);
-  try {
-    const PageContents contents = page_contents(record, baseline);
-    if (kind == PageKind::plain) {
-      const std::string why =
-          has_viewer() ? "it was asked for"
-                       : "this foramen was built without the interactive one (no npm, or FORAMEN_VIEWER off)";
-      ModelPage page{kind, plain_page(record, contents, why), ""};
-      page.remark = "plain page, since " + why + "; " + megabytes(page.html.size());
-      return page;
-    }
-    // File names may be no UTF-8; a page must be.
-    const std::string data =
-        report_data(record, contents).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-    ModelPage page{kind, interactive_html(data), ""};
-    page.remark =
-        "interactive page; " + megabytes(page.html.size()) + ", " + megabytes(data.size()) + " of them data";
+  const PageContents contents = page_contents(record, read_baseline(options.baseline));
+  if (kind == PageKind::plain) {
+    const std::string why =
+        has_viewer() ? "it was asked for"
+                     : "this foramen was built without the interactive one (no npm, or FORAMEN_VIEWER off)";
+    ModelPage page{kind, plain_page(record, contents, why), ""};
+    page.remark = "plain page, since " + why + "; " + megabytes(page.html.size());
     return page;
-  } catch (const nlohmann::json::exception& e) {
-    throw IoError((folder / "run.json").string() + ": is not a run record of this version (" + e.what() +
-                  ")");
   }
+  // File names may be no UTF-8; a page must be.
+  const std::string data =
+      report_data(record, contents).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  ModelPage page{kind, interactive_html(data), ""};
+  page.remark =
+      "interactive page; " + megabytes(page.html.size()) + ", " + megabytes(data.size()) + " of them data";
+  return page;
 }
 
-std::string model_summary(const nlohmann::ordered_json& run, const Evaluation& evaluation) {
+ModelPage model_page(const fs::path& folder, const PageOptions& options) {
+  return model_page(read_model_record(folder), options);
+}
+
+std::string model_summary(const RunRecord& run, const Evaluation& evaluation) {
   std::string text;
   for (const std::string& line : summary_lines(run, evaluation)) text += (text.empty() ? "" : "\n") + line;
   return text;

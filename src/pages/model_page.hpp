@@ -6,9 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
-#include "foramen/evaluate/evaluate.hpp"
+#include "modelfiles/model_record.hpp"
 
 namespace foramen {
 
@@ -28,12 +26,14 @@ struct ModelPage {
   std::string remark;  ///< which page it is, its size, and why it is plain if it is
 };
 
-/// The contents of report.html, from the other files of a model's folder. Times and memory are not used, so
-/// that the same build gives the same bytes. Throws IoError if a file is missing or broken, InvalidInput if
-/// the interactive page is asked for and this build of foramen has no viewer.
+/// The contents of report.html. Times and memory are not used, so that the same build gives the same bytes.
+/// Throws InvalidInput if the interactive page is asked for and this build of foramen has no viewer, IoError
+/// if the baseline cannot be read.
+ModelPage model_page(const ModelRecord& record, const PageOptions& options = {});
+/// The same of the files in a model's folder. Throws IoError if one is missing or broken.
 ModelPage model_page(const std::filesystem::path& folder, const PageOptions& options = {});
 
-/// What a terminal shows at the end of a build: a few lines. \param run  the contents of run.json
-std::string model_summary(const nlohmann::ordered_json& run, const Evaluation& evaluation);
+/// What a terminal shows at the end of a build: a few lines.
+std::string model_summary(const RunRecord& run, const Evaluation& evaluation);
 
 }  // namespace foramen

@@ -13,7 +13,7 @@ namespace {
 constexpr int picture_width = 1000, plate_width = 1400;  // pixels
 constexpr int pictured_modes = 3;
 constexpr double pictured_sd = 2;
-constexpr double flat_margin = 1.5;  // the flat torus is twice as wide as the other parts of a strip
+constexpr double flat_margin = 1.5;  // the flat torus is twice as wide as the other pictures of the row
 constexpr double loop_radius_mm = 0.6;
 constexpr int checker_count = 320;
 

@@ -32,7 +32,7 @@ PageContents page_contents(const ModelRecord& record, const std::optional<Baseli
     const ModelDifference difference = model_difference(curves[1], curves[0]);
     page.differences = difference_tables(difference);
     for (std::size_t i = 0; i < page.differences.size(); ++i)
-      page.differences[i].title = difference.groups[i].name;  // the section says of which models
+      page.differences[i].title = difference.groups[i].name;  // the section's heading names the models
     if (!difference.why_not_paired.empty())
       page.remarks.push_back("The two models are not paired: " + difference.why_not_paired + ".");
   }

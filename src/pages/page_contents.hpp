@@ -10,20 +10,20 @@
 
 namespace foramen {
 
-/// A model to compare with.
+/// The model with which the page compares its model.
 struct Baseline {
   std::string name;
-  Evaluation evaluation;  ///< with the items of shapes
+  Evaluation evaluation;  ///< with the values of each shape
 };
 
-/// What both kinds of page say of a model.
+/// The contents that both kinds of page have in common.
 struct PageContents {
   std::string title, subtitle;
   std::vector<Statement> plain_words;
-  std::vector<std::string> findings;     ///< a line each
-  std::vector<Chart> charts;             ///< of the model, and of the baseline
-  std::vector<ReportTable> figures;      ///< of the charts
-  std::vector<ReportTable> differences;  ///< to the baseline; none without one
+  std::vector<std::string> findings;     ///< one line each
+  std::vector<Chart> charts;             ///< curves of the model and of the baseline
+  std::vector<ReportTable> figures;      ///< the numbers of the charts
+  std::vector<ReportTable> differences;  ///< differences to the baseline; empty without one
   std::vector<std::string> remarks;      ///< on the differences
   ReportTable shapes, left_out, repaired, refit_failures;
   std::string made_by;

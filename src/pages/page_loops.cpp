@@ -1,5 +1,4 @@
 #include "pages/page_loops.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <cmath>
 #include <optional>
@@ -8,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "render/vertebra_scenes.hpp"
 #include "sampling/lift_to_surface.hpp"
 
@@ -20,7 +20,7 @@ Vec3 centroid(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-// Of the solid that the surface encloses.
+// The centroid of the solid that the surface encloses.
 Vec3 volume_centroid(const Mesh& mesh) {
   Vec3 moment = Vec3::Zero();
   for (FaceId f : mesh.faces()) {
@@ -30,7 +30,8 @@ Vec3 volume_centroid(const Mesh& mesh) {
   return moment / signed_volume(mesh);
 }
 
-// A loop around the canal lies on a wall that faces the loop's middle; one around the tube of bone does not.
+// A loop around the canal lies on a wall whose normals point to the middle of the loop. The normals along a
+// loop around the bony ring point away from its middle.
 bool faces_its_middle(const Mesh& mesh, const VertexMap<Vec3>& normals, const std::vector<SurfacePoint>& loop,
                       const std::vector<Vec3>& points) {
   const Vec3 middle = centroid(points);
@@ -45,7 +46,7 @@ bool faces_its_middle(const Mesh& mesh, const VertexMap<Vec3>& normals, const st
 }
 
 struct Canal {
-  Vec3 middle, axis;  // the axis towards the head, if that can be told
+  Vec3 middle, axis;  // the axis points to the head if the third coordinate does
 };
 
 std::optional<Canal> find_canal(const Mesh& mean, const std::array<std::vector<SurfacePoint>, 2>& loops) {
@@ -60,7 +61,8 @@ std::optional<Canal> find_canal(const Mesh& mean, const std::array<std::vector<S
     const Vec3 middle = centroid(points);
     Mat3 spread = Mat3::Zero();
     for (const Vec3& p : points) spread += (p - middle) * (p - middle).transpose();
-    const Vec3 axis = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);  // the smallest
+    // The normal of the loop is the direction of least spread.
+    const Vec3 axis = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(0);
     canal = Canal{middle, axis.z() < 0 ? Vec3(-axis) : axis};
   }
   return canal;
@@ -83,7 +85,7 @@ std::vector<PageView> principal_views(const Mesh& mean) {
 
 std::array<std::vector<SurfacePoint>, 2> loops_on_landmarks(const Atlas& atlas) {
   const LandmarkMesh& landmarks = atlas.landmarks;
-  // Places on the torus matter alone: any points in space will do.
+  // Only the torus positions matter here, so the points in space are arbitrary.
   const Mesh mesh =
       build_mesh({std::vector<Vec3>(landmarks.turns.size(), Vec3::Zero()), landmarks.triangles});
   const TorusLocator locator(mesh, {atlas.map.lattice, VertexMap<Vec2>(landmarks.turns), landmarks.jumps});
@@ -97,7 +99,7 @@ std::vector<PageView> page_views(const Mesh& mean, const std::array<std::vector<
   const std::optional<Canal> canal = find_canal(mean, loops);
   if (!canal) return principal_views(mean);
   const Vec3& head = canal->axis;
-  // The body of the vertebra is most of its volume and lies in front of the canal.
+  // The body has most of the vertebra's volume and lies in front of the canal.
   const Vec3 front = orthogonal_part(volume_centroid(mean) - canal->middle, head);
   const Vec3 side = head.cross(front);
   const Vec3 oblique = (0.75 * head + 0.75 * side - front).normalized();

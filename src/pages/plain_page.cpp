@@ -21,10 +21,11 @@ ReportSection pictures_section(const ModelRecord& record) {
     section.pictures.push_back(mean_distance_picture(record.loaded.model, record.error_maps));
     return section;
   }
-  return {.title = "Pictures",
-          .paragraphs = {
-              "None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
-              "build time, `xvfb-run -a foramen report MODEL --plain` writes this page with pictures."}};
+  return {
+      .title = "Pictures",
+      .paragraphs = {
+          "None: this build has no VTK, or there was no display. With libvtk9-dev installed at "
+          "build time, the plain page has pictures where it is written with a display or under xvfb-run -a."}};
 }
 
 }  // namespace
@@ -38,8 +39,7 @@ std::string plain_page(const ModelRecord& record, const PageContents& contents, 
        .paragraphs =
            {"Distances are measured to the input surfaces (repaired where it says so). Bars are standard "
             "errors of the mean. Specificity alone rewards a model that lost variance: read it beside the "
-            "total "
-            "variance and the representation error."},
+            "total variance and the representation error."},
        .charts = contents.charts});
   if (!contents.differences.empty())
     page.sections.push_back({.title = "This model minus the baseline",

@@ -6,7 +6,7 @@
 
 namespace foramen {
 
-/// The plain page. \param why  why it is this one
+/// The plain page. \param why  the reason for which the page is plain
 std::string plain_page(const ModelRecord& record, const PageContents& contents, const std::string& why);
 
 }  // namespace foramen

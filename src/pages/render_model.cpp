@@ -1,5 +1,4 @@
 #include "pages/render_model.hpp"
-#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/metrics_file.hpp"
@@ -41,7 +41,7 @@ ReportPicture worst_shape(const fs::path& folder, const ModelRecord& record) {
   return shape_distance_picture(shape, corresponding(folder, record, shape), *worst);
 }
 
-// A shape of both models by its places in them.
+// The indices of a shape in both models.
 using SharedShape = std::pair<std::size_t, std::size_t>;
 
 std::vector<SharedShape> shared_shapes(const ModelRecord& ours, const ModelRecord& baseline) {
@@ -54,7 +54,7 @@ std::vector<SharedShape> shared_shapes(const ModelRecord& ours, const ModelRecor
   return shared;
 }
 
-// The shape on which the baseline has the most flipped triangles, in both models.
+// Shows, in both models, the shape on which the baseline has most flipped triangles.
 ReportPicture flips(const fs::path& folder, const ModelRecord& ours, const fs::path& baseline_folder,
                     const ModelRecord& baseline, const std::vector<SharedShape>& shared) {
   const auto [i, k] =
@@ -68,7 +68,8 @@ ReportPicture flips(const fs::path& folder, const ModelRecord& ours, const fs::p
                        {corresponding(folder, ours, shape), ours.error_maps[i].plain_flips});
 }
 
-// Whether the first modes of both run the same way, by the scores of the shapes.
+// +1 if the first modes of both models have the same direction, -1 if not, judged by the scores of the
+// shapes.
 double common_sign(const ModelRecord& ours, const ModelRecord& baseline,
                    const std::vector<SharedShape>& shared) {
   double product = 0;
@@ -94,7 +95,7 @@ std::vector<ReportPicture> beside_baseline(const fs::path& folder, const ModelRe
   if (shared.empty())
     throw InvalidInput(baseline_folder.string() + ": has no shape in common with " + folder.string() +
                        " (by name); build both from the same surfaces");
-  // The baseline's coordinates to ours, by a shape of both.
+  // The transform from the baseline's coordinates to ours is that of a shape which both models have.
   const std::string& shape = ours.evaluation.names[shared.front().first];
   const Eigen::Affine3d placement =
       transform_of(folder, ours, shape) * transform_of(baseline_folder, baseline, shape).inverse();
@@ -130,7 +131,8 @@ std::vector<RenderedFile> render_model(const fs::path& folder, const RenderOptio
   if (!options.only_curves && !can_render())
     throw Error(
         "pictures need VTK in the build and a display: install libvtk9-dev, build again, and run under "
-        "xvfb-run -a; curves alone need neither (--only-curves)");
+        "xvfb-run -a; curves alone need neither",
+        {{RemedyKind::only_curves}});
   std::vector<RenderedFile> files;
   if (!options.only_curves)
     for (ReportPicture& picture : pictures(folder, options.baseline))

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The folder of a model as pictures and curves, for papers, READMEs and scripts.
+/// Pictures and curves of a model's folder, for papers, READMEs and scripts.
 
 #include <filesystem>
 #include <string>
@@ -11,24 +11,25 @@
 namespace foramen {
 
 struct RenderOptions {
-  std::filesystem::path baseline = {};  ///< folder of a model to be seen beside; empty: none
-  bool only_curves = false;             ///< needs no display, and of the folders metrics.json and metrics.csv
+  std::filesystem::path baseline = {};  ///< folder of a second model for comparison; empty: none
+  bool only_curves = false;  ///< needs no display, and only metrics.json and metrics.csv of the folders
 };
 
 struct RenderedFile {
   std::string name;   ///< loops.png, specificity.svg ...
-  std::string bytes;  ///< of the file
+  std::string bytes;  ///< contents of the file
   std::string caption;
 };
 
-/// PNG: loops, torus_map, overview, modes (a plate), mode1 ..., distances_mean, distances_worst; with a
-/// baseline first_mode_beside and flips. SVG and PDF: the curves of every measure over the number of modes,
-/// with standard errors, of both models. Throws Error where pictures are wanted and none can be made, IoError
-/// if a folder lacks a file, InvalidInput if the baseline has no shape in common with the model.
+/// The PNG files are loops, torus_map, overview, modes, mode1 and so on, distances_mean, distances_worst;
+/// with a baseline also first_mode_beside and flips. The SVG and PDF files are the curves of every measure
+/// over the number of modes, with standard errors, of both models. Throws Error if pictures are requested but
+/// cannot be made, IoError if a folder lacks a file, and InvalidInput if the baseline has no shape in common
+/// with the model.
 std::vector<RenderedFile> render_model(const std::filesystem::path& folder,
                                        const RenderOptions& options = {});
 
-/// The files in a folder, which is made if need be; returns their captions by their names.
+/// Writes the files into a folder, which is created if necessary. Returns the captions by file names.
 nlohmann::ordered_json write_rendered(const std::vector<RenderedFile>& files,
                                       const std::filesystem::path& folder);
 

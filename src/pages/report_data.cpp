@@ -1,5 +1,4 @@
 #include "pages/report_data.hpp"
-#include "foramen/evaluate/representation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 #include <limits>
 
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "modelfiles/version.hpp"
 #include "pages/page_loops.hpp"
 #include "report/encoded_array.hpp"
@@ -17,7 +17,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int format_version = 1;
-// Beyond these, modes move little and make the page large.
+// Further modes move the shape little and would make the page large.
 constexpr int most_modes = 60;
 constexpr double error_unit_mm = 0.001;
 
@@ -97,7 +97,7 @@ ordered_json loop_json(const std::vector<SurfacePoint>& loop) {
           {"weights", array_json(weights, {triangles.size(), 3})}};
 }
 
-// Whole thousandths of a millimetre.
+// Distances rounded to whole thousandths of a millimetre.
 ordered_json errors_json(const std::vector<double>& landmark_mm) {
   std::vector<std::uint16_t> thousandths;
   constexpr double most = std::numeric_limits<std::uint16_t>::max();
@@ -117,7 +117,7 @@ ordered_json shapes_json(const ModelRecord& record) {
     shapes.push_back(
         {{"name", evaluation.names[i]},
          {"subject", evaluation.subjects.empty() ? ordered_json() : ordered_json(evaluation.subjects[i])},
-         {"is_reference", record.run.at("reference") == evaluation.names[i]},
+         {"is_reference", record.run.reference == evaluation.names[i]},
          {"scores", scores},
          {"error", errors_json(map.landmark_mm)},
          {"plain_flips", indices_json(map.plain_flips)},

@@ -9,7 +9,7 @@
 namespace foramen {
 namespace {
 
-// The place of v among rows, which are sorted by order of elimination.
+// The index of v in `rows`, which are sorted by order of elimination.
 int place(const std::vector<int>& rows, const std::vector<int>& order, int v) {
   const auto it =
       std::lower_bound(rows.begin(), rows.end(), v, [&](int a, int b) { return order[a] < order[b]; });
@@ -40,8 +40,8 @@ BlockCholesky::BlockCholesky(const Mesh& mesh, const Eigen::MatrixXd& coordinate
   place_entries(mesh, order, node_of);
 }
 
-// Rows of a front: its columns, and every later vertex that is a neighbour of them or was filled in by its
-// children.
+// The rows of a front are its columns and all later vertices that are neighbours of the columns or rows of
+// its children.
 void BlockCholesky::find_rows(const Mesh& mesh, const DissectionTree& tree, const std::vector<int>& order) {
   std::vector<int> seen_by(mesh.vertex_count(), -1);
   for (std::size_t k = 0; k < tree.size(); ++k) {
@@ -81,7 +81,8 @@ void BlockCholesky::place_entries(const Mesh& mesh, const std::vector<int>& orde
     const bool from_first = order[from] < order[to];
     const int column = from_first ? from : to, row = from_first ? to : from;
     Front& front = fronts_[node_of[column]];
-    // The stored block has the rows of `from`; below the diagonal stand the rows of the later vertex.
+    // The stored block has the rows of `from`, but the entry below the diagonal needs the rows of the vertex
+    // eliminated later.
     front.entries.push_back({e, place(front.rows, order, row), place(front.rows, order, column), from_first});
   }
 }
@@ -108,7 +109,7 @@ void BlockCholesky::assemble(Front& front, Eigen::MatrixXd& update, const BlockM
       const bool here = column < front.columns;
       Eigen::MatrixXd& target = here ? front.factor : update;
       const int shift = here ? 0 : front.columns;
-      // Only lower triangles are used; above the diagonal of a diagonal block anything may stand.
+      // Only the lower triangle is used, so entries above the diagonal of a diagonal block are arbitrary.
       for (int i = j; i < size; ++i)
         target.block<2, 2>(2 * (to[i] - shift), 2 * (column - shift)) += from.block<2, 2>(2 * i, 2 * j);
     }

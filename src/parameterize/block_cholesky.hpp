@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Cholesky factorisation of a symmetric matrix of 2x2 blocks with the sparsity of a mesh's vertex graph.
+/// Cholesky factorisation of a symmetric matrix of 2x2 blocks with the sparsity of the vertex graph of a
+/// mesh.
 
 #include <optional>
 #include <utility>
@@ -12,7 +13,7 @@
 
 namespace foramen {
 
-/// The matrix: a block per vertex, and one per edge, in the rows of from(halfedge(e)) and the columns of
+/// The matrix: a block per vertex and a block per edge e, in the rows of from(halfedge(e)) and the columns of
 /// to(halfedge(e)).
 struct BlockMatrix {
   VertexMap<Mat2> diagonal;
@@ -23,34 +24,35 @@ struct BlockMatrix {
   void set_zero();
 };
 
-/// Multifrontal: the columns of a node of the dissection tree and all rows they fill form one small dense
-/// matrix, so the work is done by dense kernels; all index work is done once, in the constructor. About four
-/// times faster on these meshes than a column-by-column factorisation, whose inner loops are short.
-/// Deterministic.
+/// A multifrontal factorisation. The columns of a node of the dissection tree and all rows that they fill
+/// form one small dense matrix (a front), so the work is done by dense kernels. The index structure is
+/// computed once, in the constructor. On these meshes it is about four times faster than a column-by-column
+/// factorisation, whose inner loops are short. Deterministic.
 class BlockCholesky {
  public:
   BlockCholesky(const Mesh& mesh, const Eigen::MatrixXd& coordinates);
 
-  /// L L^T = matrix. False if the matrix is not positive definite.
+  /// Computes L L^T = matrix. False if the matrix is not positive definite.
   bool factor(const BlockMatrix& matrix);
-  /// In place, any number of right-hand sides; rows 2v and 2v+1 belong to vertex v. \pre factor() was true.
+  /// Solves in place for any number of right-hand sides; rows 2v and 2v+1 belong to vertex v. \pre factor()
+  /// returned true
   void solve(Eigen::MatrixXd& rhs) const;
-  /// Numbers in the factor, for reports.
+  /// Number of entries of the factor, for reports.
   long entries() const;
 
  private:
-  // An edge whose block enters a front, at this block row and column of it (row > column).
+  // An edge whose block is added to a front at this block row and column (row > column).
   struct Entry {
     EdgeId edge;
     int row, column;
     bool transposed;
   };
   struct Front {
-    int columns = 0;        // block columns eliminated here: the first `columns` rows
+    int columns = 0;        // number of block columns eliminated here; they are the first rows
     std::vector<int> rows;  // vertices, in order of elimination
     std::vector<Entry> entries;
     std::vector<int> children;
-    std::vector<int> row_in_parent;  // for the rows below the columns
+    std::vector<int> row_in_parent;  // for the rows below the eliminated columns
     Eigen::MatrixXd factor;          // 2 rows x 2 columns, lower trapezoid
   };
   void find_rows(const Mesh& mesh, const DissectionTree& tree, const std::vector<int>& order);
@@ -58,7 +60,7 @@ class BlockCholesky {
   void assemble(Front& front, Eigen::MatrixXd& update, const BlockMatrix& matrix);
 
   std::vector<Front> fronts_;             // in postorder
-  std::vector<Eigen::MatrixXd> updates_;  // per front, alive from its elimination to its parent's
+  std::vector<Eigen::MatrixXd> updates_;  // per front; kept from its elimination to that of its parent
 };
 
 }  // namespace foramen

@@ -17,8 +17,8 @@ namespace {
 
 __extension__ using Wide = __int128;  // products of two edge coordinates in quanta need up to 104 bits
 
-/// Turns beyond this would not fit the integers below (2^22 turns = 2^62 quanta, and edges are differences of
-/// two).
+/// Larger positions would overflow the integers below: 2^22 turns are 2^62 quanta, and edges are differences
+/// of two positions.
 constexpr double largest_turns = 1 << 20;
 constexpr double degree_tolerance = 1e-9;
 
@@ -66,7 +66,8 @@ MapCertificate certify(const Mesh& mesh, const TorusMap& map) {
   VertexMap<Quanta> position(mesh.vertex_count());
   for (VertexId v : mesh.vertices()) position[v] = quanta(exact.turns[v]);
 
-  // Plane areas are det L times those in turns, so signs may be taken in turns, where they are integers.
+  // Plane areas are det L times areas in turns, so their signs can be computed in turns, where areas are
+  // integers.
   const int orientation = map.lattice.determinant() > 0 ? 1 : -1;
   const double domain = std::ldexp(1.0, 2 * quantum_bits + 1);  // twice the unit square, in squared quanta
   const double surface = total_area(mesh);

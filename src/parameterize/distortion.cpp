@@ -21,7 +21,7 @@ double plane_area(const std::array<Vec2, 3>& t) {
   return doubled_area(edges) / 2;
 }
 
-// cot of the angle at corner k of a triangle in space.
+// Cotangent of the angle at corner k of a triangle in space.
 double cotangent(const std::array<Vec3, 3>& t, std::size_t k) {
   const Vec3 a = t[(k + 1) % 3] - t[k], b = t[(k + 2) % 3] - t[k];
   return a.dot(b) / a.cross(b).norm();
@@ -35,15 +35,16 @@ double jacobian_determinant(const RestTriangle& rest, double doubled_plane_area)
   return doubled_plane_area * rest.inverse.determinant() * rest.to_target.determinant();
 }
 
-// dE/dq from dE/dJ, since J = T Q R: the inner product of M with J(q) is that of T^T M R^T with q.
+// dE/dq from dE/dJ. Since J = T Q R with Q = q as a matrix, the inner product of M with J(q) equals that of
+// T^T M R^T with q.
 Vec4 along_edges(const RestTriangle& rest, const Mat2& along_jacobian) {
   const Mat2 m = rest.to_target.transpose() * along_jacobian * rest.inverse.transpose();
   return Eigen::Map<const Vec4>(m.data());
 }
 
-// The eigenmatrices of the Hessian of any isotropic energy at J (Smith, de Goes, Kim 2019), without a
-// singular value decomposition: as a map of the complex plane J is z -> alpha z + beta conj(z), with 2|alpha|
-// = s1 + s2 and 2|beta| = s1 - s2. Each has norm 1.
+// The eigenmatrices of the Hessian of an isotropic energy at J, each of norm 1 (Smith, de Goes, Kim 2019).
+// They are computed without a singular value decomposition: as a map of the complex plane, J is z -> alpha z
+// + beta conj(z) with 2|alpha| = s1 + s2 and 2|beta| = s1 - s2.
 struct Eigenmatrices {
   double s1, s2;  // singular values, s1 >= s2 > 0
   Mat2 stretch1, stretch2, twist, flip;
@@ -53,7 +54,7 @@ Eigenmatrices eigenmatrices(const Mat2& j, double det) {
   const Vec2 alpha(j(0, 0) + j(1, 1), j(1, 0) - j(0, 1)), beta(j(0, 0) - j(1, 1), j(1, 0) + j(0, 1));
   const double sum = alpha.norm(), difference = beta.norm();
   const Vec2 a = alpha / sum;
-  // Where s1 = s2 any direction serves: the three eigenvalues besides the twist's are equal there.
+  // For s1 = s2 any direction is correct, because all eigenvalues except that of the twist are equal there.
   const Vec2 b = difference > 0 ? Vec2(beta / difference) : Vec2(1, 0);
   Mat2 rotation, reflection;
   rotation << a.x(), -a.y(), a.y(), a.x();
@@ -62,7 +63,7 @@ Eigenmatrices eigenmatrices(const Mat2& j, double det) {
   quarter_turn << 0, -1, 1, 0;
   Eigenmatrices e;
   e.s1 = (sum + difference) / 2;
-  e.s2 = det / e.s1;  // (sum - difference) / 2 would cancel
+  e.s2 = det / e.s1;  // avoids the cancellation of (sum - difference) / 2
   e.stretch1 = (rotation + reflection) / 2;
   e.stretch2 = (rotation - reflection) / 2;
   e.twist = quarter_turn * rotation / std::numbers::sqrt2;
@@ -91,7 +92,7 @@ RestTriangle rest_triangle(const std::array<Vec3, 3>& surface, double scale) {
   const Vec3 a = scale * (surface[1] - surface[0]), b = scale * (surface[2] - surface[0]);
   const double base = a.norm(), doubled = a.cross(b).norm(), height = doubled / base;
   RestTriangle rest;
-  // Inverse of [a b] in the frame whose first axis runs along a.
+  // The inverse of [a b] in the frame whose first axis is along a.
   rest.inverse << 1 / base, -a.dot(b) / (base * doubled), 0, 1 / height;
   rest.area = doubled / 2;
   return rest;

@@ -1,5 +1,4 @@
 #include "parameterize/map_energy.hpp"
-#include "foramen/parameterize/optimiser.hpp"
 
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 
 namespace foramen {
 namespace {

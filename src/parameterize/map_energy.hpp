@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The energy of a torus map as a function of plane positions and lattice, triangle by triangle.
+/// The energy of a torus map as a function of plane positions and lattice.
 
 #include <array>
 #include <vector>
@@ -10,44 +10,45 @@
 
 namespace foramen {
 
-/// What is optimised: a plane position per vertex (columns of x) and the lattice.
+/// The variables of the optimisation: plane positions of the vertices (columns of x) and the lattice.
 struct MapState {
   Eigen::Matrix2Xd x;
   Lattice lattice = Lattice::Identity();
 };
 
-/// Energy = sum over vertices of vertex_weight E_cor + sum over triangles of weight E. The factor lambda is
-/// in the weights.
+/// Energy = sum over vertices of vertex_weight E_cor + sum over triangles of weight E. The weights include
+/// the factor lambda.
 class MapEnergy {
  public:
   struct Triangle {
     std::array<int, 3> corner;
-    std::array<Vec2, 2> jump;  ///< turns from corner 0 to corners 1 and 2
+    std::array<Vec2, 2> jump;  ///< jumps in turns from corner 0 to corners 1 and 2
     RestTriangle rest;
     double weight = 0;
   };
 
-  /// \throws InvalidInput for a triangle without area on the surface or flipped in the map, and for options
-  /// that contradict.
+  /// Throws InvalidInput for a triangle of zero area on the surface or flipped in the map, and for options
+  /// that contradict each other.
   MapEnergy(const Mesh& mesh, const TorusMap& start, const OptimiseMapOptions& options,
             const CorrespondenceObjective* objective, const TargetMetric* metric = nullptr);
 
-  /// +inf if a triangle's area in the plane is not positive.
+  /// The energy; +inf if the area of a triangle in the plane is not positive.
   double value(const MapState& state) const;
-  /// The correspondence part alone, at one vertex and with its weight; zero without objective.
+  /// The weighted correspondence term of one vertex; zero without objective.
   CorrespondenceObjective::Term correspondence(int vertex, const Vec2& plane_position) const;
   /// Area-weighted mean of E over the surface.
   double mean_distortion(const MapState& state) const;
 
   MapState state(const TorusMap& map) const;
-  /// The state as a map with the jumps of the start.
+  /// The state as a map with the jumps of the start map.
   TorusMap map(const MapState& state) const;
 
   const Mesh& mesh() const { return mesh_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   bool has_objective() const { return objective_ != nullptr; }
 
-  /// The edge vectors from corner 0. The only place where they are computed from a state: see doubled_area().
+  /// The edge vectors from corner 0. All code computes them by this function, for the reason given at
+  /// doubled_area().
   static Vec4 edges(const Triangle& t, const MapState& state) {
     Vec4 q;
     q.head<2>() = state.x.col(t.corner[1]) - state.x.col(t.corner[0]) + state.lattice * t.jump[0];

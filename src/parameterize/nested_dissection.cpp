@@ -8,10 +8,11 @@
 namespace foramen {
 namespace {
 
-/// Parts up to this many vertices are not split: a dense block of twice this size is faster than its pieces.
+/// Parts of up to this many vertices are not split, because one dense block of twice this size is faster than
+/// smaller blocks.
 constexpr std::size_t leaf_vertices = 16;
 
-// Neighbours of every vertex, one after the other.
+// Adjacency lists of all vertices in one array.
 struct Graph {
   std::vector<int> begin, neighbour;
 
@@ -49,7 +50,7 @@ class Dissection {
  private:
   enum Side : std::uint8_t { outside, low, high };
 
-  // Adds the part and everything below it; the index of its node.
+  // Adds the part and all its sub-parts; returns the index of its node.
   int add(std::vector<int> part) {
     DissectionNode node;
     if (part.size() <= leaf_vertices) {
@@ -88,7 +89,7 @@ class Dissection {
     return best;
   }
 
-  // On this side, with a neighbour on the other.
+  // Whether v is on this side and has a neighbour on the other.
   bool is_border(int v, Side taken) const {
     if (side_[v] != taken) return false;
     const auto other = taken == low ? high : low;
@@ -105,7 +106,7 @@ class Dissection {
       else
         (side_[v] == low ? out.first : out.second).push_back(v);
     }
-    // By index, not in the order nth_element happened to leave them.
+    // Sorted by index, because the order that nth_element leaves is unspecified.
     std::sort(out.separator.begin(), out.separator.end());
     return out;
   }

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// An order of elimination for sparse Cholesky on the vertex graph of a mesh: recursive bisection by
-/// geometry.
+/// An elimination order for sparse Cholesky factorisation on the vertex graph of a mesh, by recursive
+/// geometric bisection.
 
 #include <array>
 #include <vector>
@@ -15,16 +15,17 @@ namespace foramen {
 /// A part of the graph that is eliminated as one dense block: a separator, or a part too small to be split.
 struct DissectionNode {
   std::vector<int> columns;                ///< vertices, in the order of elimination
-  std::array<int, 2> children = {-1, -1};  ///< the parts it separates; both -1: a leaf
+  std::array<int, 2> children = {-1, -1};  ///< the parts that it separates; both -1 for a leaf
 };
 
-/// In postorder: children stand before their parent, the root last.
+/// Nodes in postorder: children come before their parent and the root is last.
 using DissectionTree = std::vector<DissectionNode>;
 
-/// Splits the vertices at the median of that coordinate whose separator is smallest, then both halves, down
-/// to leaves. A torus needs two cuts at once to fall apart; the separator, being taken from the graph, has
-/// both. \param coordinates  one row per vertex: any numbers that tell near from far, e.g. positions in space
-/// and on the torus
+/// Splits the vertices at the median of the coordinate with the smallest separator and continues with both
+/// halves, down to leaves. Separators are computed from the graph, so on a torus, where two cuts are needed
+/// to separate the halves, a separator contains both.
+/// \param coordinates  one row per vertex: numbers that are close for neighbouring vertices, e.g. positions
+/// in space and on the torus
 DissectionTree dissect(const Mesh& mesh, const Eigen::MatrixXd& coordinates);
 
 }  // namespace foramen

@@ -1,5 +1,4 @@
 #include "parameterize/newton.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,30 +10,34 @@
 #include "foramen/core/error.hpp"
 #include "parameterize/flip_free_step.hpp"
 #include "parameterize/newton_system.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {
 
-constexpr double share_of_collapse = 0.9;     ///< of the way to the first triangle without area, at most
-constexpr double growth = 1.5;                ///< of the step, while that decreases the energy further
-constexpr double sufficient_decrease = 1e-4;  ///< Armijo: of the decrease that the slope promises
+/// Largest step, relative to that at which the first triangle collapses.
+constexpr double share_of_collapse = 0.9;
+constexpr double growth = 1.5;  ///< factor by which a full step is lengthened while the energy decreases
+/// Armijo condition: least decrease relative to the one that the slope predicts.
+constexpr double sufficient_decrease = 1e-4;
 constexpr double least_step = 1e-12;  ///< the line search gives up below this share of the Newton step
 
-/// Of negative eigenvalues, where the true Hessian is not positive definite.
+/// Share of negative eigenvalues that is kept if the true Hessian is not positive definite.
 constexpr double partly_kept = 0.7;
-/// A step by any Hessian but the true one ends the search at this share of the tolerance.
+/// Factor of the tolerance for steps by a Hessian other than the true one.
 constexpr double clamped_margin = 0.1;
-/// Near the end: after a full step that promised less than this share of the energy.
+/// The iteration is near its end after a full step with a predicted decrease below this share of the energy.
 constexpr double end_decrease = 1e-2;
 
 struct Direction {
   Eigen::VectorXd x;
   Vec2 lattice = Vec2::Zero();
   double slope = 0;  ///< gradient . direction, <= 0
-  double kept = 0;   ///< of the negative eigenvalues: 1 = by the true Hessian
+  double kept = 0;   ///< share of negative eigenvalues in the Hessian; 1: the true Hessian
 };
 
-// Positions on the torus, and in space, where a process is long and thin and so easily cut off.
+// Positions on the torus and in space. In space the processes of a vertebra are long and thin, so small
+// separators cut them off.
 Eigen::MatrixXd coordinates_for_dissection(const Mesh& mesh, const MapState& state) {
   const Mat2 inverse = state.lattice.inverse();
   Eigen::MatrixXd c(mesh.vertex_count(), 5);
@@ -45,7 +48,7 @@ Eigen::MatrixXd coordinates_for_dissection(const Mesh& mesh, const MapState& sta
   return c;
 }
 
-// The step to the minimum of the second-order model; nothing if its Hessian is not positive definite.
+// The step to the minimum of the second-order model; nullopt if its Hessian is not positive definite.
 std::optional<Direction> newton_direction(const NewtonSystem& system, BlockCholesky& cholesky,
                                           bool free_lattice) {
   if (!cholesky.factor(system.hessian)) return std::nullopt;
@@ -55,7 +58,7 @@ std::optional<Direction> newton_direction(const NewtonSystem& system, BlockChole
   cholesky.solve(solved);
   Direction d;
   d.x = solved.col(0);
-  if (free_lattice) {  // Schur complement of the positions
+  if (free_lattice) {  // the lattice is eliminated last, by the Schur complement of the positions
     const Mat2 schur = system.lattice_hessian - system.lattice_coupling.transpose() * solved.rightCols<2>();
     const Vec2 rest = -system.lattice_gradient - system.lattice_coupling.transpose() * d.x;
     const Eigen::LLT<Mat2> in_lattice(schur);
@@ -75,8 +78,9 @@ class DirectionFinder {
         system_(energy, free_lattice),
         free_lattice_(free_lattice) {}
 
-  // With every triangle's Hessian clamped; near the end with as much of the negative eigenvalues as leaves
-  // the sum positive definite, so that the last steps converge quadratically, or nearly so.
+  // The Newton direction with the Hessians of all triangles clamped. Near the end of the iteration the
+  // largest tried share of negative eigenvalues is kept for which the sum is positive definite, so that the
+  // last steps converge (nearly) quadratically.
   Direction operator()(const MapState& state, bool near_end) {
     if (near_end)
       for (const double kept : {1.0, partly_kept})
@@ -84,8 +88,7 @@ class DirectionFinder {
     if (auto d = direction(state, 0)) return *d;
     throw ConvergenceError(
         "the Hessian of the distortion is not positive definite to working precision: some triangle is next "
-        "to "
-        "degenerate; repair the mesh");
+        "to degenerate; repair the mesh");
   }
 
  private:
@@ -101,9 +104,10 @@ class DirectionFinder {
   bool free_lattice_;
 };
 
-// The direction as seen in turns, carried back to the plane: positions move by it at a fixed lattice, then
-// the lattice carries all of them along. So the areas stay quadratic in the step, since the lattice's
-// determinant stays, and an edge across the cut feels no more of the lattice's curved way than any other.
+// The motion of plane positions at a fixed lattice. A step first moves the positions by it and then maps all
+// of them by the change of the lattice, so positions in turns move linearly. Since the determinant of the
+// lattice is constant, areas are quadratic in the step, as first_collapse() needs, and the nonlinear change
+// of the lattice affects edges across the cut no more than other edges.
 Eigen::Matrix2Xd at_fixed_lattice(const MapState& state, const Direction& d) {
   Eigen::Matrix2Xd x = Eigen::Map<const Eigen::Matrix2Xd>(d.x.data(), 2, state.x.cols());
   if (d.lattice.isZero(0)) return x;
@@ -150,11 +154,11 @@ class Line {
   const MapState& state_;
   Vec2 lattice_;
   Eigen::Matrix2Xd motion_;
-  double longest_;  // that flips nothing
+  double longest_;  // no longer step is tried, so that no triangle flips
 };
 
-// Newton's step is too short where a barrier term 1/x^2 rules (x grows by a third only): lengthen it while
-// that pays.
+// Lengthens a full Newton step while the energy decreases. Where a barrier term 1/x^2 dominates, the Newton
+// step is too short: it increases x by a third only.
 Step lengthened(const Line& line, Step step) {
   while (step.length < line.longest()) {
     Step next = line.at(std::min(growth * step.length, line.longest()));
@@ -164,7 +168,7 @@ Step lengthened(const Line& line, Step step) {
   return step;
 }
 
-// Armijo backtracking from the largest step that flips nothing; nothing if no step decreases the energy.
+// Armijo backtracking from the longest step that flips no triangle; nullopt if no step decreases the energy.
 std::optional<Step> line_search(const MapEnergy& energy, const MapState& state, double value,
                                 const Direction& d) {
   const Line line(energy, state, d);
@@ -173,8 +177,8 @@ std::optional<Step> line_search(const MapEnergy& energy, const MapState& state, 
     Step next = line.at(length);
     if (next.energy <= value + sufficient_decrease * length * d.slope)
       return length == 1.0 ? lengthened(line, std::move(next)) : next;
-    // The minimum of the parabola through the value and slope here and the value there, kept within [0.1,
-    // 0.5] of the step.
+    // The next length is the minimum of the parabola through the value and slope at 0 and the value at the
+    // tried step, limited to [0.1, 0.5] of that step.
     const double parabola = -d.slope * length * length / (2 * (next.energy - value - d.slope * length));
     length = std::isfinite(parabola) ? std::clamp(parabola, 0.1 * length, 0.5 * length) : 0.5 * length;
   }
@@ -195,8 +199,8 @@ Minimisation minimise_by_newton(const MapEnergy& energy, MapState start, const R
     const Direction d = find_direction(result.state, near_end);
     const double predicted = -d.slope / 2;  // half the squared Newton decrement
     const bool small = predicted <= options.relative_tolerance * value;
-    // A clamped Hessian is too large and promises too little: it may end the search only near the end, and
-    // with a margin.
+    // A clamped Hessian is too large and so predicts too small a decrease. It may stop the iteration only
+    // near the end and with a margin.
     const double margin = d.kept == 1 ? 1.0 : clamped_margin;
     const bool last = (near_end || d.kept == 1) && predicted <= margin * options.relative_tolerance * value;
     std::optional<Step> step = line_search(energy, result.state, value, d);

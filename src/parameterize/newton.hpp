@@ -8,17 +8,17 @@
 
 namespace foramen {
 
-/// How a minimisation ended, whichever the method.
+/// The result of a minimisation by either method.
 struct Minimisation {
   MapState state;
   OptimiseStatus status = OptimiseStatus::iteration_limit;
-  std::vector<double> energies;  ///< first the initial one
+  std::vector<double> energies;  ///< initial energy, then the energy after each iteration
 };
 
 Minimisation minimise_by_newton(const MapEnergy& energy, MapState start, const RunContext& ctx,
                                 const OptimiseMapOptions& options);
 
-/// Whether the energy is as low as the caller asked for.
+/// Whether the energy has reached options.stop_at_energy.
 inline bool low_enough(double energy, const OptimiseMapOptions& options) {
   return options.stop_at_energy && energy <= *options.stop_at_energy;
 }

@@ -1,16 +1,18 @@
 #include "parameterize/newton_system.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
 
+#include "parameterize/optimise_map.hpp"
+
 namespace foramen {
 namespace {
 
-/// Relative to its own diagonal. With an objective nothing is fixed, and where all its terms vanish
-/// translations cost nothing; this keeps the factorisation defined and is far below what changes a step.
+/// A regularisation relative to the diagonal. With an objective no vertex is fixed, and if all its terms
+/// vanish the energy does not change under translations, so the Hessian is singular. The shift makes the
+/// factorisation possible and is too small to change a step.
 constexpr double diagonal_shift = 1e-12;
 
 }  // namespace
@@ -96,7 +98,7 @@ void NewtonSystem::add_triangle(std::size_t f, const DistortionTerm& term) {
   gradient.segment<2>(2 * c[1]) += g1;
   gradient.segment<2>(2 * c[2]) += g2;
 
-  // q = (x1 - x0, x2 - x0): blocks of the Hessian in the corners from those in q.
+  // The blocks of the Hessian for the corners follow from those for q = (x1 - x0, x2 - x0).
   const Mat2 a11 = term.hessian.topLeftCorner<2, 2>(), a12 = term.hessian.topRightCorner<2, 2>(),
              a22 = term.hessian.bottomRightCorner<2, 2>();
   const Mat2 a21 = a12.transpose();
@@ -121,7 +123,7 @@ void NewtonSystem::add_lattice(std::size_t f, const DistortionTerm& term, const 
   Eigen::Matrix<double, 4, 2> moves;  // dq/d(u,b)
   moves << shape.along_stretch() * t.jump[0], shape.along_shear() * t.jump[0],
       shape.along_stretch() * t.jump[1], shape.along_shear() * t.jump[1];
-  Vec4 curved;  // d2q/du2: L is not linear in u
+  Vec4 curved;  // d2q/du2, since L is not linear in u
   curved << shape.curvature() * t.jump[0], shape.curvature() * t.jump[1];
   lattice_curvature_ += curved.dot(term.gradient);
   const Eigen::Matrix<double, 4, 2> coupled = term.hessian * moves;
@@ -143,7 +145,7 @@ void NewtonSystem::add_vertices(const MapState& state) {
   }
 }
 
-// Without an objective the energy does not change under translations.
+// Fixes the first vertex, because without an objective the energy does not change under translations.
 void NewtonSystem::fix_first_vertex() {
   const Mesh& mesh = energy_.mesh();
   const VertexId fixed(0);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Gradient and positive semi-definite Hessian of the map energy, assembled triangle by triangle.
+/// Gradient and positive semi-definite Hessian of the map energy, assembled from its triangles.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace foramen {
 
-/// Lattices of one determinant, r^2: L = r [[e^u, b], [0, e^-u]]. The surface is scaled to the domain, so the
-/// determinant means nothing and of the three entries two are free.
+/// The lattices of determinant r^2: L = r [[e^u, b], [0, e^-u]]. The surface is scaled to the domain, so the
+/// energy does not depend on the determinant, and two of the three entries are free.
 struct LatticeShape {
   double size = 1, stretch = 0, shear = 0;  ///< r, u, b
   explicit LatticeShape(const Lattice& lattice);
@@ -21,13 +21,14 @@ struct LatticeShape {
   LatticeShape moved(const Vec2& by) const;
 };
 
-/// Second-order model of the energy in (x, u, b); the part of the lattice is left zero unless it is free.
+/// The second-order model of the energy in (x, u, b). The part of the lattice is zero unless the lattice is
+/// free.
 class NewtonSystem {
  public:
   NewtonSystem(const MapEnergy& energy, bool free_lattice);
 
-  /// Fills the members below for this state. \param kept  of negative eigenvalues of a triangle: see
-  /// damped_distortion_term
+  /// Computes the members below for this state.
+  /// \param kept  share of negative eigenvalues of a triangle that is kept, see damped_distortion_term()
   void assemble(const MapState& state, double kept = 0);
 
   double value = 0;
@@ -45,10 +46,10 @@ class NewtonSystem {
 
   const MapEnergy& energy_;
   bool free_lattice_;
-  double lattice_curvature_ = 0;  // of the energy because L is not linear in u; may be negative
+  double lattice_curvature_ = 0;  // second derivative of the energy from that of L in u; may be negative
   struct EdgePlace {
     EdgeId edge;
-    bool forward;  // the face runs along the edge's own halfedge
+    bool forward;  // the halfedge of the face is halfedge(edge)
   };
   std::vector<std::array<EdgePlace, 3>> places_;  // per face
 };

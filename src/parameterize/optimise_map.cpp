@@ -27,7 +27,7 @@ OptimisedMap optimise_map(const Mesh& mesh, const TorusMap& start, const RunCont
   out.final_energy = found.energies.back();
   out.distortion = energy.mean_distortion(found.state);
   out.energies = std::move(found.energies);
-  // The surface is scaled to the domain: the domain's own size changes no energy.
+  // The surface is scaled to the domain, so the size of the domain does not change the energy.
   if (options.free_lattice) out.map.lattice /= std::sqrt(out.map.lattice.determinant());
   for (FaceId f : mesh.faces()) FORAMEN_ASSERT(signed_area(mesh, out.map, f) > 0);
   return out;

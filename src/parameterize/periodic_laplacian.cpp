@@ -11,7 +11,8 @@
 namespace foramen {
 namespace {
 
-/// The sum of the signed areas is an integer number of domains up to rounding.
+/// Tolerance of the degree: the sum of signed areas is an integer multiple of the domain's area up to
+/// rounding.
 constexpr double degree_tolerance = 1e-6;
 
 }  // namespace

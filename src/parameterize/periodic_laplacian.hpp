@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Positions on the torus at the average of their neighbours.
+/// Positions on the torus that are averages of their neighbours.
 
 #include <optional>
 
@@ -9,13 +9,12 @@
 
 namespace foramen {
 
-/// Solves sum_j (p_j + t_ij - p_i) = 0 at every vertex i that is not fixed. \pre at least one vertex is
-/// fixed.
+/// Solves sum_j (p_j + t_ij - p_i) = 0 at every vertex i that is not fixed. \pre at least one vertex is fixed
 VertexMap<Vec2> average_of_neighbours(const Mesh& mesh, const Cocycle& form,
                                       const VertexMap<std::optional<Vec2>>& fixed);
 
-/// \throws TopologyError unless the map has degree 1 (the periods are a positively oriented basis),
-/// ConvergenceError if a triangle's area is not positive.
+/// Throws TopologyError unless the map has degree 1, that is, its periods are a positively oriented basis.
+/// Throws ConvergenceError if the area of a triangle is not positive.
 void check_embedding(const Mesh& mesh, const TorusMap& map);
 
 }  // namespace foramen

@@ -1,5 +1,4 @@
 #include "parameterize/polak_ribiere.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,26 +7,27 @@
 #include <vector>
 
 #include "parameterize/flip_free_step.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {
 
 constexpr int steps_per_node = 3;
 constexpr double share_of_kernel =
-    0.5;  ///< first trial, of the way to where the node leaves the kernel of its one-ring
+    0.5;  ///< first trial step, relative to the distance at which the node leaves the kernel of its one-ring
 constexpr double sufficient_decrease = 1e-4;
 constexpr int trial_limit = 20;
-/// A node stays where it is when the slope, times the way to the border of the kernel, promises less than
-/// this share.
+/// A node is not moved if the slope times the distance to the border of the kernel predicts a decrease below
+/// this share of its energy.
 constexpr double negligible_share = 1e-9;
 
-// The triangles round a node, and which corner of each it is.
+// A triangle at a node, and which of its corners the node is.
 struct RingTriangle {
   int triangle;
   int corner;
 };
 
-// E_j of the node as a function of its position; the other nodes stay.
+// The energy terms of one node as a function of its position, with all other nodes fixed.
 class NodeEnergy {
  public:
   NodeEnergy(const MapEnergy& energy, MapState& state, std::span<const RingTriangle> ring, int node)
@@ -53,7 +53,7 @@ class NodeEnergy {
     return sum;
   }
 
-  // How far the node may go in this direction before it leaves the kernel of its one-ring.
+  // The step in this direction at which the node leaves the kernel of its one-ring.
   double way_to_border(const Vec2& position, const Vec2& direction) {
     state_.x.col(node_) = position;
     double least = std::numeric_limits<double>::infinity();
@@ -79,8 +79,8 @@ struct LinePoint {
   NodeEnergy::Value value;
 };
 
-// From a first trial inside the kernel along parabolas to a point that decreases the energy enough; step 0 if
-// there is none.
+// Starts with a trial inside the kernel and follows minima of parabolas to a point with sufficient decrease
+// of the energy; step 0 if there is none.
 LinePoint search_line(NodeEnergy& node, const Vec2& position, const NodeEnergy::Value& here,
                       const Vec2& direction, double border) {
   const double slope = here.gradient.dot(direction);
@@ -157,7 +157,7 @@ Minimisation minimise_by_sweeps(const MapEnergy& energy, MapState start, const R
       relax(node, result.state, v);
     }
     const double next = energy.value(result.state);
-    if (!(next <= value)) {  // only rounding is left: every node's own energy went down
+    if (!(next <= value)) {  // the energy of every node decreased, so only rounding can raise the sum
       result.state = before;
       result.status = OptimiseStatus::line_search_stalled;
       return result;

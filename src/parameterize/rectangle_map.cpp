@@ -11,10 +11,10 @@
 namespace foramen {
 namespace {
 
-/// A side of the domain: a walk along edges between vertices where sides meet.
+/// A side of the domain: a walk along edges between vertices at which sides meet.
 using Arc = std::vector<HalfedgeId>;
 
-// The edges of the loops, without spurs that end at a vertex of no other loop edge.
+// The graph of the loop edges without spurs. A spur ends at a vertex that has no other loop edge.
 class CutGraph {
  public:
   CutGraph(const Mesh& mesh, const LoopSystem& loops)
@@ -37,7 +37,7 @@ class CutGraph {
     return out;
   }
 
-  // All arcs out of v, each followed to the next branching.
+  // All arcs that start at v, each up to the next branching vertex.
   std::vector<Arc> arcs_from(VertexId v) const {
     std::vector<Arc> out;
     for (HalfedgeId start : mesh_.fan(v)) {
@@ -77,8 +77,8 @@ class CutGraph {
   VertexMap<int> degree_;
 };
 
-// One branching: two arcs from it back to itself (a rectangle). Two: three arcs from the first to the second
-// (a hexagon).
+// The sides of the domain. With one branching vertex they are two arcs from it to itself (a rectangle). With
+// two they are three arcs from the first to the second (a hexagon).
 std::vector<Arc> sides(const Mesh& mesh, const LoopSystem& loops) {
   const CutGraph graph(mesh, loops);
   const std::vector<VertexId> branchings = graph.branchings();
@@ -97,15 +97,15 @@ std::vector<Arc> sides(const Mesh& mesh, const LoopSystem& loops) {
   return arcs;
 }
 
-// The jumps summed up to each vertex of the arc.
+// The sums of the jumps from the start of the arc to each of its vertices.
 std::vector<Vec2i> sums_along(const Cocycle& form, const Arc& arc) {
   std::vector<Vec2i> sums{Vec2i::Zero()};
   for (HalfedgeId h : arc) sums.push_back(sums.back() + form.value[h]);
   return sums;
 }
 
-// Puts the first edge found that joins two vertices of the arc, and can be pulled onto it, in place of the
-// stretch between.
+// Finds an edge that joins two vertices of the arc and is homotopic to the part of the arc between them, and
+// replaces this part by the edge. False if there is no such edge.
 bool take_a_chord(const Mesh& mesh, const Cocycle& form, Arc& arc) {
   const std::vector<Vec2i> sums = sums_along(form, arc);
   VertexMap<int> place(mesh.vertex_count(), -1);
@@ -114,7 +114,7 @@ bool take_a_chord(const Mesh& mesh, const Cocycle& form, Arc& arc) {
     for (HalfedgeId h : mesh.fan(mesh.from(arc[a]))) {
       const int b = place[mesh.to(h)];
       if (b < a + 2) continue;
-      // On a torus a closed walk without periods can be pulled together.
+      // On a torus a closed walk with zero periods is contractible.
       if (form.value[h] != sums[b] - sums[a]) continue;
       arc[a] = h;
       arc.erase(arc.begin() + a + 1, arc.begin() + b);
@@ -144,8 +144,9 @@ TorusMap rectangle_torus_map(const Mesh& mesh, const LoopSystem& loops) {
     while (take_a_chord(mesh, form, arc)) {
     }
 
-  // The first branching stands at the origin. A side runs by its periods, or, in a hexagon, by them and the
-  // way to the second branching; the sum of its three sides is zero, which makes it convex.
+  // The first branching vertex is at the origin. The displacement along a side is its period, in a hexagon
+  // plus the displacement to the second branching vertex. There the displacements of the three sides sum to
+  // zero, which makes the hexagon convex.
   VertexMap<std::optional<Vec2>> fixed(mesh.vertex_count());
   const VertexId origin = mesh.from(arcs[0].front()), other = mesh.to(arcs[0].back());
   Vec2 between = Vec2::Zero();

@@ -19,30 +19,30 @@
 namespace foramen {
 namespace {
 
-/// Every new triangle gets at least this part of the area it would have with the vertex at the centre of the
-/// kernel.
+/// Least area of a new triangle, relative to its area with the vertex at the centre of the kernel.
 constexpr double smallest_share_of_centre = 0.2;
-/// Keeps the mean-value weights finite: sides shorter than this part of the longest, angles this near to a
-/// straight one.
+/// Keeps the mean-value weights finite for sides shorter than this part of the longest one and for angles
+/// this close to pi.
 constexpr double mean_value_guard = 1e-6;
-/// Newton steps for one vertex at a time; each is shortened at most so often, by so much, until the
-/// distortion falls.
+/// Number of Newton steps per vertex, and how often and by which factor a step is shortened until the
+/// distortion decreases.
 constexpr int relaxation_steps = 2, shortenings = 4;
 constexpr double shortening = 0.4;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 Vec2 left_of(const Vec2& direction) { return Vec2(-direction.y(), direction.x()); }
 
-/// The neighbours of a returning vertex, counter-clockwise, the one it went into first.
+/// The neighbours of a restored vertex, counter-clockwise; the first is the vertex into which it was
+/// collapsed.
 struct OneRing {
   std::vector<VertexId> vertices;
-  std::vector<Vec2> plane;  ///< relative to the first, which is 0
+  std::vector<Vec2> plane;  ///< plane positions relative to the first, which is 0
   std::size_t size() const { return vertices.size(); }
   std::size_t after(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
 };
 
-/// Twice the signed area of the triangle over side i of the ring with its tip at x: affine in x, positive
-/// inside.
+/// Twice the signed area of the triangle of side i of the ring and the point x: affine in x and positive
+/// inside the kernel.
 double twice_area(const OneRing& ring, std::size_t i, const Vec2& x) {
   const Vec2& a = ring.plane[i];
   return cross(ring.plane[ring.after(i)] - a, x - a);
@@ -54,8 +54,8 @@ bool strictly_inside(const OneRing& ring, const Vec2& x) {
   return true;
 }
 
-/// Mean-value weights (Floater 2003) of the surface about `centre`, applied to the ring in the plane: exact
-/// where surface and map are flat and affine.
+/// The position that the mean-value weights of `centre` on the surface \cite floater2003 give in the plane.
+/// It is exact if the surface is flat and the map affine.
 Vec2 mean_value_position(const Mesh& surface, VertexId centre, const OneRing& ring) {
   const std::size_t n = ring.size();
   std::vector<Vec3> spokes(n);
@@ -109,8 +109,8 @@ std::optional<Vec2> centroid(const std::vector<Vec2>& polygon) {
   return Vec2(polygon[0] + sum / total);
 }
 
-/// The centroid of the kernel, the part of the ring from which all of it is seen: at least a third of the
-/// kernel's width away from each of its sides.
+/// The centroid of the kernel, that is, of the set of points from which the whole ring is visible. Its
+/// distance from each side is at least a third of the width of the kernel.
 std::optional<Vec2> kernel_centre(const OneRing& ring) {
   Vec2 low = ring.plane[0], high = ring.plane[0];
   for (const Vec2& q : ring.plane) {
@@ -123,8 +123,8 @@ std::optional<Vec2> kernel_centre(const OneRing& ring) {
   return centroid(kernel);
 }
 
-/// A point of the kernel where clipping is too coarse to find one: from the first vertex along the bisector
-/// of its wedge, half the way to where it leaves the kernel.
+/// A point of a kernel that is too small for clipping: on the bisector at the first vertex, halfway to the
+/// border of the kernel.
 Vec2 near_first_vertex(const OneRing& ring) {
   const Vec2 direction =
       left_of(ring.plane[1]).normalized() + left_of(-ring.plane[ring.size() - 1]).normalized();
@@ -136,7 +136,8 @@ Vec2 near_first_vertex(const OneRing& ring) {
   return 0.5 * reach * direction;
 }
 
-/// The point of the segment from the centre to the wish that is nearest to the wish and well inside.
+/// The point of the segment from `centre` to `wish` that is closest to `wish` among those at which no
+/// triangle is too small (smallest_share_of_centre).
 Vec2 well_inside(const OneRing& ring, const Vec2& centre, const Vec2& wish) {
   double step = 1;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -147,10 +148,10 @@ Vec2 well_inside(const OneRing& ring, const Vec2& centre, const Vec2& wish) {
   return centre + step * (wish - centre);
 }
 
-/// The distortion of the triangles about a vertex as a function of its position x, in the frame of its ring.
+/// The distortion of the triangles at a vertex as a function of its position x, in the frame of its ring.
 class StarEnergy {
  public:
-  /// \param scale  of lengths on the surface, as in rest_triangle()
+  /// \param scale  factor of lengths on the surface, as in rest_triangle()
   StarEnergy(const Mesh& surface, VertexId centre, const OneRing& ring, double scale) : ring_(ring) {
     rest_.reserve(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -166,7 +167,7 @@ class StarEnergy {
     return sum;
   }
 
-  /// A direction of descent; not finite where no triangle has area.
+  /// The Newton step, a direction of descent. It is not finite if no triangle has an area.
   Vec2 newton_step(const Vec2& x) const {
     Vec2 gradient = Vec2::Zero();
     Mat2 hessian = Mat2::Zero();
@@ -174,7 +175,7 @@ class StarEnergy {
       if (!(rest_[i].area > 0)) continue;
       const DistortionTerm term = distortion_term(rest_[i], edges(i, x));
       const Mat4& h = term.hessian;
-      // x is the triangle's first corner: both edges lose what it gains.
+      // x is the first corner of the triangle, so the derivative of both edges with respect to x is -1.
       gradient -= rest_[i].area * (term.gradient.head<2>() + term.gradient.tail<2>());
       hessian += rest_[i].area * (h.topLeftCorner<2, 2>() + h.topRightCorner<2, 2>() +
                                   h.bottomLeftCorner<2, 2>() + h.bottomRightCorner<2, 2>());
@@ -193,7 +194,7 @@ class StarEnergy {
   std::vector<RestTriangle> rest_;
 };
 
-/// A position of less distortion (or the same one).
+/// A position of smaller or equal distortion.
 Vec2 relaxed(const StarEnergy& energy, Vec2 x) {
   double value = energy(x);
   for (int k = 0; k < relaxation_steps; ++k) {
@@ -215,7 +216,8 @@ class Refiner {
  public:
   Refiner(const Mesh& input, const WorkingMesh& working, const TorusMap& coarse);
   void undo(const Collapse& collapse);
-  /// Once all are back: each returned vertex among its neighbours of the input mesh. \pre no collapse is left
+  /// Moves a restored vertex to smaller distortion among its neighbours in the input mesh. \pre all collapses
+  /// are undone
   void relax(VertexId v);
   TorusMap take() { return std::move(map_); }
 
@@ -226,10 +228,10 @@ class Refiner {
   void restore_faces(const Collapse& collapse);
 
   const Mesh& input_;
-  std::vector<std::array<VertexId, 3>> corners_;  // of the faces that are there already
+  std::vector<std::array<VertexId, 3>> corners_;  // corners of the faces that exist already
   TorusMap map_;
   Mat2 inverse_lattice_;
-  double surface_scale_;  // makes the surface as large as the domain
+  double surface_scale_;  // factor of lengths that gives the surface the area of the domain
 };
 
 Refiner::Refiner(const Mesh& input, const WorkingMesh& working, const TorusMap& coarse)
@@ -279,7 +281,8 @@ OneRing Refiner::one_ring(const Collapse& collapse) const {
   return ring;
 }
 
-// The first of these that is strictly inside also once rounded to turns.
+// The position of a restored vertex: the first of several candidates that is strictly inside the kernel after
+// rounding to turns.
 Vec2 Refiner::place(VertexId v, const OneRing& ring) const {
   const Vec2& origin = map_.turns[ring.vertices[0]];
   const auto rounded = [&](const Vec2& x) { return Vec2(origin + inverse_lattice_ * x); };
@@ -300,8 +303,8 @@ Vec2 Refiner::place(VertexId v, const OneRing& ring) const {
   return turns;
 }
 
-// The returning vertex lies beside `kept` without a jump, so what leads to `kept` leads to it with the same
-// jumps: those of the moved faces stand already.
+// The restored vertex has no jump to `kept`, so halfedges to it have the same jumps as halfedges to `kept`.
+// The jumps of the moved faces are therefore correct already.
 void Refiner::restore_faces(const Collapse& collapse) {
   const auto jump_from_kept = [&](FaceId f, std::size_t corners_on) {
     const HalfedgeId out = Mesh::halfedge(f, static_cast<int>(corner_of(f, collapse.kept)));

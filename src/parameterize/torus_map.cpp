@@ -12,7 +12,7 @@
 namespace foramen {
 namespace {
 
-// Whole turns and the rest in [0, 1), for one coordinate.
+// One coordinate split into whole turns and a fraction in [0, 1).
 struct SplitTurns {
   int whole;
   double fraction;
@@ -24,15 +24,14 @@ SplitTurns split(double turns) {
   return {static_cast<int>(floor) + 1, 0.0};  // -1e-17 - (-1) rounds to 1
 }
 
-// Lagrange's reduction: afterwards |a| <= |b| and |a.b| <= |a|^2 / 2.
+// Lagrange reduction. The result satisfies |a| <= |b| and |a.b| <= |a|^2 / 2.
 Mat2 reduced_basis(const Lattice& lattice) {
   Vec2 a = lattice.col(0), b = lattice.col(1);
   for (;;) {
     if (b.squaredNorm() < a.squaredNorm()) std::swap(a, b);
     const double steps = std::round(a.dot(b) / a.squaredNorm());
     const Vec2 shorter = b - steps * a;
-    // A lattice vector is only taken if it is strictly shorter: this ends, also where rounding would go in
-    // circles.
+    // A vector is replaced only by a strictly shorter one, so the reduction terminates in spite of rounding.
     if (steps == 0 || !(shorter.squaredNorm() < b.squaredNorm())) break;
     b = shorter;
   }

@@ -12,7 +12,7 @@
 namespace foramen {
 namespace {
 
-// Evenly spread over the sphere (Fibonacci's lattice).
+// The direction with this index of `count` directions spread evenly over the sphere (Fibonacci lattice).
 Vec3 direction_of(int index, int count) {
   const double z = 1 - (2 * index + 1.0) / count, turn = 2 * std::numbers::pi / std::numbers::phi * index;
   const double r = std::sqrt(1 - z * z);
@@ -23,7 +23,7 @@ Vec3 up_for(const Vec3& direction) {
   return std::abs(direction.z()) < std::abs(direction.y()) ? Vec3::UnitZ() : Vec3::UnitY();
 }
 
-// Pixels of a parallel projection; which of them show a marked triangle.
+// A depth buffer of a parallel projection, which also stores the pixels that show a marked triangle.
 class DepthImage {
  public:
   DepthImage(const BoundingBox& seen, double pixel_mm)
@@ -60,7 +60,7 @@ class DepthImage {
     Vec3 centre;  // in picture coordinates
     int marked = 0;
   };
-  /// The square window with most marked pixels, by sums over rectangles from the corner.
+  /// The square window with most marked pixels, by a summed-area table.
   Window best_window(double size_mm) const {
     const int size = std::max(1, pixel(size_mm));
     std::vector<int> sums(static_cast<std::size_t>(width_ + 1) * static_cast<std::size_t>(height_ + 1), 0);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where to look to see the marked triangles of a surface.
+/// The camera that shows the marked triangles of a surface best.
 
 #include <vector>
 
@@ -11,11 +11,11 @@ namespace foramen {
 struct CloseUpOptions {
   double size_mm = 30;    ///< width and height of the picture
   double pixel_mm = 0.5;  ///< of the depth images from which the camera is chosen. > 0.
-  int directions = 60;    ///< that are tried, spread evenly over the sphere
+  int directions = 60;    ///< number of directions that are tried, spread evenly over the sphere
 };
 
-/// The close-up with most of its picture covered by marked triangles that nothing hides: by depth images from
-/// all directions; of equal ones the first. \pre at least one triangle is marked.
+/// The close-up in which visible marked triangles cover most of the picture, chosen from depth images in all
+/// directions. Of equally good close-ups the first is chosen. \pre at least one triangle is marked.
 Camera close_up(const TriangleSoup& surface, const std::vector<int>& marked,
                 const CloseUpOptions& options = {});
 

@@ -10,12 +10,12 @@
 namespace foramen {
 namespace {
 
-// In steps of equal length.
+// The colours at evenly spaced values.
 constexpr std::array<Colour, 5> ramp{Colour{0xe2, 0xd6, 0xc4}, Colour{0xec, 0xb5, 0x5f},
                                      Colour{0xdd, 0x6f, 0x3a}, Colour{0xb0, 0x27, 0x3f},
                                      Colour{0x4d, 0x14, 0x50}};
 
-// Shares of the picture's height.
+// Lengths as shares of the picture's height.
 constexpr double bar_height = 0.7, bar_width = 0.05, picture_width = 0.32, letter_height = 0.055;
 constexpr double gap = 0.02;
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Numbers on a surface as colours, and the bar that says which number a colour is.
+/// Colours for numbers on a surface, and the colour bar that explains them.
 
 #include <span>
 #include <string>
@@ -9,27 +9,28 @@
 
 namespace foramen {
 
-/// From 0 to `high`: bone through amber and red to plum, lightness falls all the way. The colours of the
-/// report's page.
+/// Colours for values from 0 to `high`: from the colour of bone through amber and red to plum, with
+/// decreasing lightness. The interactive page uses the same colours.
 struct ColourScale {
-  double high = 1;        ///< what is above has the last colour. > 0.
-  std::string unit = {};  ///< written at the last tick of the bar
+  double high = 1;        ///< Larger values have the last colour. > 0.
+  std::string unit = {};  ///< text beside the last tick of the bar
 };
 
-/// A round number that is not below the value, and not much above; 1 for 0.
+/// A round number that is at least the value and not much larger; 1 for the value 0.
 double rounded_up(double value);
 
-/// The scale to the round number above all but `beyond` of the values: single ones do not decide.
+/// The scale that ends at a round number, which at most the share `beyond` of the values exceeds. Outliers
+/// therefore do not determine it.
 /// \pre there are values; 0 <= beyond < 1.
 ColourScale scale_for(std::span<const double> values, const std::string& unit, double beyond = 0.005);
 
 Colour colour_of(const ColourScale& scale, double value);
 
-/// The surface in the colours of a value at each of its points. \pre as many values as points
+/// The surface with each point in the colour of its value. \pre as many values as points
 SceneSurface coloured_surface(const TriangleSoup& surface, std::span<const double> values,
                               const ColourScale& scale);
 
-/// An upright bar with numbers at its ticks, as tall as a picture of `height_mm` allows.
+/// A vertical colour bar with numbers at its ticks, for a picture of this height.
 Scene colour_bar(const ColourScale& scale, double height_mm);
 
 }  // namespace foramen

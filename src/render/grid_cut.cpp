@@ -9,9 +9,9 @@ namespace {
 
 using Polygon = std::vector<GridCorner>;
 
-// The point of the side a-b on the line where coordinate `axis` has the value `at`, which lies strictly
-// between theirs. std::lerp does not leave the range of its ends, so the point stays inside the other
-// coordinate's cell.
+// The point of the side a-b at which the coordinate `axis` has the value `at`. This value lies strictly
+// between those of a and b. std::lerp does not leave the range of its ends, so the other coordinate stays
+// inside its cell.
 GridCorner crossing(const GridCorner& a, const GridCorner& b, int axis, double at) {
   const double s = (at - a.at[axis]) / (b.at[axis] - a.at[axis]);
   GridCorner c;
@@ -38,7 +38,7 @@ std::pair<Polygon, Polygon> split(const Polygon& polygon, int axis, double at) {
   return {std::move(low), std::move(high)};
 }
 
-// The polygon's strips between neighbouring lines of one direction, each with the number of its strip.
+// The polygon cut along the grid lines of one direction: its strips, each with its number.
 std::vector<std::pair<int, Polygon>> strips(Polygon polygon, int axis) {
   const auto [least, greatest] =
       std::minmax_element(polygon.begin(), polygon.end(),

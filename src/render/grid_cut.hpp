@@ -20,8 +20,9 @@ struct GridPiece {
   std::vector<GridCorner> corners;  ///< at least three, in the triangle's sense of rotation
 };
 
-/// The triangle cut along all lines x = integer and y = integer: its pieces fill it and overlap in lines
-/// only. Columns from left to right, each from bottom to top. A triangle that no line crosses is one piece.
+/// Cuts the triangle along all lines x = integer and y = integer. The pieces cover the triangle and share
+/// only their borders. They are ordered by columns from left to right, and from bottom to top within a
+/// column. A triangle that no line crosses is one piece.
 /// \pre coordinates are finite and below 2^31.
 std::vector<GridPiece> cut_by_grid(const std::array<Vec2, 3>& triangle);
 

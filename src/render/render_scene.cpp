@@ -49,13 +49,13 @@ bool can_render() {
 #ifdef FORAMEN_WITH_VTK
 namespace {
 
-// Before everything: parallel projection looks the same from any distance.
+// The camera is in front of all objects. With parallel projection, its distance does not change the picture.
 constexpr double camera_distance_mm = 1000;
 constexpr int supersampling = 3;
 constexpr double key_light = 0.85, key_to_fill = 2.0;
 constexpr double ambient = 0.1;
 constexpr float edge_width = 0.6F;     // pixels of the picture
-constexpr double wire_opacity = 0.25;  // an edge is drawn by both its triangles
+constexpr double wire_opacity = 0.25;  // each edge is drawn twice, once for each of its triangles
 
 vtkNew<vtkUnsignedCharArray> colour_array(const std::vector<Colour>& colours) {
   vtkNew<vtkUnsignedCharArray> array;
@@ -146,7 +146,7 @@ vtkNew<vtkActor> curve_actor(const SceneCurve& curve) {
   return actor;
 }
 
-// \param pixels_per_mm  of the picture before it is shrunk
+// \param pixels_per_mm  resolution of the picture before it is reduced
 vtkNew<vtkTextActor> text_actor(const SceneText& text, double pixels_per_mm) {
   vtkNew<vtkTextActor> actor;
   actor->SetInput(text.text.c_str());
@@ -171,9 +171,9 @@ void set_camera(vtkRenderer& renderer, const Camera& scene) {
   renderer.ResetCameraClippingRange();
 }
 
-// An X server without a client starts anew and refuses connections while it does so, on which VTK aborts: one
-// window stays open, so that there is always a client between two pictures. Never destroyed, since VTK's own
-// objects may be gone by then.
+// When its last client leaves, an X server restarts and refuses connections meanwhile, and VTK then aborts.
+// Therefore one window stays open, so that the server always has a client. The window is never destroyed,
+// because VTK's own objects may already be destroyed at that time.
 void keep_connected() {
   [[maybe_unused]] static vtkRenderWindow* const kept = [] {
     vtkRenderWindow* window = vtkRenderWindow::New();
@@ -207,7 +207,7 @@ std::vector<Panel> arranged(const std::vector<std::vector<Scene>>& rows, double 
   return panels;
 }
 
-// Each pixel the mean of a square of pixels: what is drawn finer than a pixel comes out as a shade.
+// Each pixel of the result is the mean of a square of pixels, so details finer than a pixel become shades.
 vtkNew<vtkImageData> shrunk(vtkImageData& image) {
   const int* fine = image.GetDimensions();
   const int width = fine[0] / supersampling, height = fine[1] / supersampling;

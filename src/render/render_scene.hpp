@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Off-screen pictures of surfaces and curves, by VTK. Needs a display: run under xvfb-run where there is
-/// none.
+/// Off-screen pictures of surfaces and curves, by VTK. VTK needs a display; xvfb-run provides one.
 
 #include <array>
 #include <string>
@@ -24,10 +23,10 @@ enum class SurfaceStyle {
 struct SceneSurface {
   TriangleSoup soup;
   SurfaceStyle style = SurfaceStyle::smooth;
-  std::vector<Vec3> vertex_normals;    ///< one per point, or empty: from the triangles at it. For smooth.
+  std::vector<Vec3> vertex_normals;    ///< one per point; if empty, computed from the triangles. For smooth.
   std::vector<Colour> vertex_colours;  ///< one per point, or empty
-  std::vector<Colour> face_colours;    ///< one per triangle, or empty. Not together with vertex_colours.
-  Colour colour{226, 214, 196};        ///< where neither is given
+  std::vector<Colour> face_colours;  ///< one per triangle, or empty. Must be empty if vertex_colours is not.
+  Colour colour{226, 214, 196};      ///< colour of a surface without vertex_colours and face_colours
 };
 
 struct SceneCurve {
@@ -41,14 +40,14 @@ struct SceneCurve {
 struct SceneText {
   std::string text;
   Vec3 at = Vec3::Zero();  ///< the middle of its left edge
-  double height_mm = 1;    ///< of the font
+  double height_mm = 1;    ///< font size
 };
 
 /// Parallel projection. `direction` is where the camera looks, `up` is upward in the picture.
 struct Camera {
-  Vec3 centre = Vec3::Zero();  ///< of the picture
+  Vec3 centre = Vec3::Zero();  ///< the middle of the picture
   Vec3 direction = Vec3::UnitY(), up = Vec3::UnitZ();
-  double width_mm = 1, height_mm = 1;  ///< what the picture shows
+  double width_mm = 1, height_mm = 1;  ///< size of the part of space that the picture shows
 };
 
 struct Scene {
@@ -58,11 +57,12 @@ struct Scene {
   Camera camera;
 };
 
-/// PNG bytes: rows of scenes from the top. A row fills the width of the picture; its scenes have the height
-/// in common and the shapes (width to height) of their cameras. Throws Error if can_render() is false.
+/// The bytes of a PNG file with rows of scenes, from top to bottom. A row fills the width of the picture. The
+/// scenes of a row have the same height, and each has the aspect ratio of its camera. Throws Error if
+/// can_render() is false.
 std::string render_png(const std::vector<std::vector<Scene>>& rows, int width_pixels);
 
-/// Whether pictures can be made here: this build has VTK and there is a display.
+/// Whether pictures can be made, which needs a build with VTK and a display.
 bool can_render();
 
 }  // namespace foramen

@@ -18,13 +18,13 @@
 namespace foramen {
 namespace {
 
-// The torus of revolution in OKLab: mean and swing of lightness and chroma. Two per cent of it lie outside
-// sRGB and are clipped by little.
+// The torus of revolution in OKLab: mean and amplitude of lightness and chroma. Two per cent of it lie
+// slightly outside sRGB and are clipped.
 constexpr double lightness = 0.68, lightness_swing = 0.12, chroma = 0.095, chroma_swing = 0.02;
-// How far the lighter cells of the checkerboard go towards white.
+// The share of white in the lighter cells of the checkerboard.
 constexpr double lighter = 0.4;
 constexpr double border_radius_mm = 0.6;
-// Edges and borders of the flat torus lie this far before it, so that they are seen.
+// Edges and borders are drawn this far in front of the flat torus, so that it does not hide them.
 constexpr double before_mm = 1;
 
 unsigned char srgb_byte(double linear) {
@@ -34,7 +34,7 @@ unsigned char srgb_byte(double linear) {
   return static_cast<unsigned char>(std::lround(255 * encoded));
 }
 
-// Ottosson's OKLab (2020) to sRGB.
+// Converts Ottosson's OKLab (2020) to sRGB.
 Colour srgb(double l, double a, double b) {
   const double x = std::pow(l + 0.3963377774 * a + 0.2158037573 * b, 3);
   const double y = std::pow(l - 0.1055613458 * a - 0.0638541728 * b, 3);
@@ -53,7 +53,8 @@ Colour cell_colour(const Vec2i& cell, const Vec2i& cells) {
   return c;
 }
 
-// The pieces of all faces, cut along the cells' lines. place(surface, face, corner) adds a corner's point.
+// The pieces of all faces, cut along the borders of the cells. place(surface, face, corner) adds the point of
+// a corner to the surface.
 template <class Place>
 SceneSurface checkered(const Mesh& mesh, const TorusMap& map, const UnfoldedMap& unfolded, const Vec2i& cells,
                        const Place& place) {
@@ -74,7 +75,7 @@ SceneSurface checkered(const Mesh& mesh, const TorusMap& map, const UnfoldedMap&
   return surface;
 }
 
-// The flat torus as a plane y = const of space, at the scale where its area is the surface's.
+// The flat torus as a plane y = const of space, scaled so that its area is that of the surface.
 struct FlatPlane {
   Mat2 mm_of_turns;
   Vec3 operator()(const Vec2& turns, double before = 0) const {
@@ -96,7 +97,7 @@ EdgeLoop reversed(const Mesh& mesh, const EdgeLoop& loop) {
   return back;
 }
 
-// The border along the faces left of a walk: one curve, or several where the walk meets the cut on its way.
+// The border along the faces to the left of a walk: one curve, or several if the walk crosses the cut.
 std::vector<SceneCurve> border(const Mesh& mesh, const TorusMap& map, const UnfoldedMap& unfolded,
                                const FlatPlane& plane, const EdgeLoop& loop, const Colour& colour) {
   std::vector<SceneCurve> curves;

@@ -7,7 +7,7 @@
 namespace foramen {
 namespace {
 
-// Places a face when the corner at h stands at this shift.
+// Places a face whose corner at h has this shift.
 void place(const TorusMap& map, HalfedgeId h, const Vec2i& shift, UnfoldedMap& unfolded) {
   const HalfedgeId second = Mesh::next(h), third = Mesh::next(second);
   unfolded.shift[h] = shift;

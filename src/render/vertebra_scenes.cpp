@@ -12,7 +12,7 @@ namespace foramen {
 namespace {
 
 constexpr Colour bone{226, 214, 196}, red{214, 30, 30};
-// A picture is this much larger than what it shows.
+// The size of a picture relative to that of its contents.
 constexpr double margin = 1.06;
 
 }  // namespace
@@ -45,8 +45,8 @@ Camera view_of(std::span<const Vec3> points, View view, std::span<const Vec3> sh
   const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(covariance).eigenvectors();  // shortest first
   const int along = view == View::along_shortest ? 0 : view == View::along_middle ? 1 : 2;
   const int upward = along == 0 ? 1 : 0;
-  // The sign of an eigenvector means nothing: let the skew of the points decide, so that similar shapes look
-  // alike.
+  // The sign of an eigenvector is arbitrary. The skewness of the points determines it, so that similar shapes
+  // are shown from the same side.
   const auto oriented = [&](int axis) {
     double skew = 0;
     for (const Vec3& p : points) skew += std::pow((p - centre).dot(axes.col(axis)), 3);

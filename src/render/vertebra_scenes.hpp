@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where to look at a vertebra from, and its marked triangles.
+/// Cameras for a vertebra, and the surface with marked triangles.
 
 #include <span>
 #include <vector>
@@ -9,23 +9,23 @@
 
 namespace foramen {
 
-/// Columns: right, up and the line of sight. \pre the two are not parallel.
+/// A matrix whose columns are right, up and the line of sight. \pre direction and up are not parallel.
 Mat3 picture_axes(const Vec3& direction, const Vec3& up);
 
 /// The camera that sees all points in this direction, with a narrow margin.
 Camera frame(std::span<const Vec3> points, const Vec3& direction, const Vec3& up);
 
-/// From which side a surface is looked at, in its own principal frame (the canal's axis is not known to it):
-/// along the shortest, middle or longest principal axis. The longer of the other two lies across.
+/// The direction of view: along the shortest, middle or longest principal axis of the surface. The axis of
+/// the canal is not known here. The longer of the other two axes is horizontal.
 enum class View { along_shortest, along_middle, along_longest };
 
-/// `shown` (all points that are to be in the picture) from that side of `points`.
+/// The camera that sees all points of `shown` in the direction of this view of `points`.
 Camera view_of(std::span<const Vec3> points, View view, std::span<const Vec3> shown);
 
-/// The contents seen by these cameras beside each other, at one scale. \pre at least one camera
+/// One scene per camera, all with the same contents and at the same scale. \pre at least one camera
 std::vector<Scene> at_one_scale(const Scene& contents, const std::vector<Camera>& cameras);
 
-/// The contents from the three sides of these points, at one scale.
+/// The contents seen along the three principal axes of these points, at the same scale.
 std::vector<Scene> three_views(std::span<const Vec3> points, const Scene& contents);
 
 /// A surface with some triangles marked red.

@@ -13,11 +13,13 @@
 namespace foramen::repair_detail {
 namespace {
 
-// An edge is halved if it is longer than this many edges of the loop.
+// An edge is split if it is longer than this many mean edges of the loop.
 constexpr double longest_edge = 1.5;
-// Each round halves the longest edges: this many bring down any loop.
+// Limits of the rounds. Each refining round splits the longest edges in half, so this many suffice for any
+// loop.
 constexpr int refining_rounds = 12, flipping_rounds = 20;
-// Opposite angles must exceed two right angles by this before an edge is flipped, so that flips end.
+// An edge is flipped if the sum of its opposite angles exceeds pi by more than this, so that the flips
+// terminate.
 constexpr double flip_margin = 1e-6;
 
 using Triangle = std::array<int, 3>;
@@ -27,7 +29,8 @@ double angle(const Vec3& tip, const Vec3& a, const Vec3& b) {
   return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-// Empty if every triangulation needs an edge that is there already.
+// The triangulation of least area, by dynamic programming; empty if every triangulation needs an edge that
+// exists already.
 std::vector<Triangle> least_area(const std::vector<Vec3>& loop, const std::function<bool(int, int)>& joined) {
   const int n = static_cast<int>(loop.size());
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -63,7 +66,7 @@ std::vector<Triangle> least_area(const std::vector<Vec3>& loop, const std::funct
   return triangles;
 }
 
-// A disk that can be refined. Directed edges know the triangle on their left.
+// A disk that can be refined. Each directed edge is mapped to the triangle on its left.
 class GrowingDisk {
  public:
   GrowingDisk(const std::vector<Vec3>& loop, std::vector<Triangle> triangles,
@@ -119,7 +122,7 @@ class GrowingDisk {
     return edges;
   }
 
-  // Returns whether there was one.
+  // Splits edges longer than the limit. Returns whether there was such an edge.
   bool split_longer_than(double limit) {
     std::vector<std::pair<double, Edge>> longer;
     for (const Edge& e : inner_edges())
@@ -128,7 +131,7 @@ class GrowingDisk {
     std::vector<char> divided(triangles_.size(), 0);
     for (const auto& [negative, e] : longer) {
       const int t = left_of_.at(e), u = left_of_.at({e.second, e.first});
-      // Halves made in this round lie behind those of before.
+      // Triangles made in this round have indices beyond `divided` and are not split again in it.
       if (std::max(t, u) >= std::ssize(divided) || divided[t] != 0 || divided[u] != 0) continue;
       divided[t] = divided[u] = 1;
       split(e, t, u);
@@ -163,7 +166,7 @@ class GrowingDisk {
   bool flip(const Edge& e) {
     const auto [a, b] = e;
     const auto t = left_of_.find(e), u = left_of_.find({b, a});
-    if (t == left_of_.end() || u == left_of_.end()) return false;  // another flip took it
+    if (t == left_of_.end() || u == left_of_.end()) return false;  // an earlier flip removed the edge
     const int c = tip(t->second, e), d = tip(u->second, e);
     const auto p = [&](int i) -> const Vec3& { return points_[i]; };
     if (angle(p(c), p(a), p(b)) + angle(p(d), p(a), p(b)) <= std::numbers::pi + flip_margin) return false;
@@ -179,7 +182,8 @@ class GrowingDisk {
     return true;
   }
 
-  // Inner points to the middle of their neighbours, a few times: what follows makes the disk smooth.
+  // Moves inner points to the mean of their neighbours a few times. The shape of the disk is determined later
+  // by fairing.
   void relax() {
     constexpr int relaxing_rounds = 3;
     for (int round = 0; round < relaxing_rounds; ++round) {

@@ -1,5 +1,5 @@
 #pragma once
-// The edges of a soup, each with the sides of triangles that lie on it.
+// The edges of a triangle soup, each with the triangle sides that lie on it.
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ class EdgeSides {
 
  private:
   std::vector<Side> sides_;
-  std::vector<std::size_t> first_;  // of each edge, and the end
+  std::vector<std::size_t> first_;  // first side of each edge, and the end
 };
 
 class DisjointSets {
@@ -42,7 +42,7 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// The smaller root stays one.
+  /// Merges the sets of a and b; the smaller root becomes the root of both.
   void join(std::size_t a, std::size_t b) {
     a = root(a);
     b = root(b);

@@ -7,7 +7,7 @@
 namespace foramen::repair_detail {
 namespace {
 
-// Boxes of a triangle that others meet; a clean surface has about ten.
+// Largest number of pairs of intersecting bounding boxes per triangle; an embedded surface has about ten.
 constexpr int most_overlaps_per_triangle = 100;
 
 }  // namespace

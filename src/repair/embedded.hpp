@@ -1,5 +1,5 @@
 #pragma once
-// Self-intersections, counted within bounds.
+// Self-intersections of a mesh, with a limit on their number.
 
 #include <utility>
 #include <vector>
@@ -8,10 +8,11 @@
 
 namespace foramen::repair_detail {
 
-/// Pairs of triangles that meet (see self_intersections). ConvergenceError if there are too many to list.
+/// Pairs of intersecting triangles (see self_intersections()). Throws ConvergenceError if there are too many
+/// to list.
 std::vector<std::pair<FaceId, FaceId>> meeting_pairs(const Mesh& mesh);
 
-/// Whether no face from number `first` on meets another.
+/// Whether no face with an index of at least `first` intersects another face.
 bool new_faces_are_embedded(const Mesh& mesh, int first);
 
 }  // namespace foramen::repair_detail

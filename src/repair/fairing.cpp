@@ -19,7 +19,7 @@ std::vector<Vec3> faired(const Mesh& mesh, const std::vector<VertexId>& free, Fa
   std::vector<Vec3> positions(mesh.positions().begin(), mesh.positions().end());
   std::map<VertexId, int> unknown;
   for (VertexId v : free) unknown.emplace(v, static_cast<int>(unknown.size()));
-  // One row a vertex that should lie in the middle of its neighbours.
+  // One equation per vertex that should be the mean of its neighbours.
   std::map<VertexId, int> rows = unknown;
   if (fairness == Fairness::thin_plate)
     for (VertexId v : free)

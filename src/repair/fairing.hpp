@@ -1,5 +1,5 @@
 #pragma once
-// Moving some vertices of a mesh so that the surface is smooth there.
+// Fairing: moves some vertices of a mesh so that the surface is smooth there.
 
 #include <vector>
 
@@ -8,12 +8,15 @@
 namespace foramen::repair_detail {
 
 enum class Fairness {
-  membrane,   ///< every free vertex in the middle of its neighbours: the flattest, with a crease at the rim
-  thin_plate  ///< least sum of squares of (middle of the neighbours - vertex): continues the surface round it
+  /// Every free vertex is the mean of its neighbours: flat, with a crease at the border of the free part.
+  membrane,
+  /// Least sum of |mean of the neighbours - vertex|^2 over free vertices and their neighbours: continues the
+  /// surrounding surface smoothly.
+  thin_plate
 };
 
-/// Positions of all vertices when the free ones are moved. The fixed neighbours of the free ones shape them.
-/// \cite kobbelt1998
+/// Returns the positions of all vertices. Only the `free` ones are moved; their fixed neighbours are the
+/// boundary condition \cite kobbelt1998. If the linear system cannot be solved, all positions are unchanged.
 std::vector<Vec3> faired(const Mesh& mesh, const std::vector<VertexId>& free, Fairness fairness);
 
 }  // namespace foramen::repair_detail

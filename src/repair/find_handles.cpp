@@ -1,5 +1,4 @@
 #include "foramen/repair/find_handles.hpp"
-#include "topology/periods.hpp"
 
 #include <cstdlib>
 #include <numeric>
@@ -11,21 +10,22 @@
 #include "repair/handle_search.hpp"
 #include "repair/loop_surgery.hpp"
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace repair_detail {
 namespace {
 
-// Basepoints tried for the shortest loop. Vertebrae need a few hundred; a surface whose loops are all alike,
-// all of its vertices.
+// Largest number of basepoints that are evaluated for the shortest loop. Vertebrae need a few hundred. A
+// surface whose loops are all about equally long needs all of its vertices.
 constexpr int most_basepoints = 10000;
 
-// A loop of a genus-1 surface that bounds inside: the combination of the two loops that links with none
-// lifted.
+// A handle loop of a genus-1 surface: the combination of the two loops of a basis whose linking numbers with
+// both loops pushed outward are 0.
 EdgeLoop arch_loop(const Mesh& mesh) {
   const LoopSystem system = greedy_loops(mesh, VertexId(0), edge_lengths(mesh));
   const Eigen::Matrix2i s = seifert_matrix(mesh, system.loops[0], system.loops[1]);
-  // a^T S = 0; S has rank 1, and its rows are multiples of one another.
+  // The combination a solves a^T S = 0. S has rank 1, so its rows are multiples of one another.
   Eigen::Vector2i a(s(1, 0), -s(0, 0));
   if (a.isZero()) a = {s(1, 1), -s(0, 1)};
   const int divisor = std::gcd(a[0], a[1]);
@@ -53,7 +53,8 @@ FoundHandle shortest_handle(const Mesh& mesh, const RunContext& ctx) {
   found.crossing = shortest_crossing_loop(mesh, found.loop, lengths);
   found.handle.kind = loop_kind(mesh, found.loop);
   if (found.handle.kind == LoopKind::neither) {
-    // The loop winds both ways; the one that crosses it may not.
+    // The loop is a combination of a handle loop and a tunnel loop; the loop that crosses it may be of one
+    // kind.
     std::swap(found.loop, found.crossing);
     found.handle.kind = loop_kind(mesh, found.loop);
   }

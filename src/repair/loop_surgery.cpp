@@ -17,14 +17,16 @@ Vec3 loop_centre(const Mesh& mesh, const EdgeLoop& loop) {
 
 Mesh cut_and_closed(const Mesh& mesh, const EdgeLoop& loop) {
   TriangleSoup soup = mesh.soup();
-  VertexMap<int> right(mesh.vertex_count(), -1);  // the copy of a loop vertex that the faces right of it get
+  // The copy of a loop vertex for the faces to the right of the loop.
+  VertexMap<int> right(mesh.vertex_count(), -1);
   for (HalfedgeId h : loop) {
     right[mesh.from(h)] = static_cast<int>(soup.points.size());
     soup.points.push_back(mesh.position(mesh.from(h)));
   }
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const HalfedgeId arriving = loop[i], leaving = loop[(i + 1) % loop.size()];
-    // Counter-clockwise from the way back to the way on.
+    // The faces to the right of the loop lie counter-clockwise between the reversed arriving and the leaving
+    // halfedge.
     for (HalfedgeId h = mesh.twin(arriving); h != leaving; h = mesh.rotated(h))
       soup.triangles[h.index / 3][h.index % 3] = right[mesh.from(h)];
   }

@@ -1,13 +1,13 @@
 #pragma once
-// What a surface would be like without a handle.
+// Removal of a handle for the further search, without regard to geometry.
 
 #include "foramen/topology/shortest_loops.hpp"
 
 namespace foramen::repair_detail {
 
-/// The surface cut along a simple loop, each side closed by a fan of triangles about the loop's centre: of
-/// one genus less. For further search only: the two fans lie on each other. Old vertices and faces keep their
-/// numbers.
+/// Cuts the surface along a simple loop and closes each side by a fan of triangles around the centre of the
+/// loop, which lowers the genus by one. The two fans coincide in space, so the result serves the search for
+/// further handles only. Old vertices and faces keep their indices.
 Mesh cut_and_closed(const Mesh& mesh, const EdgeLoop& loop);
 
 Vec3 loop_centre(const Mesh& mesh, const EdgeLoop& loop);

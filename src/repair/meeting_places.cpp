@@ -21,7 +21,7 @@ MeetingPlaces::MeetingPlaces(const Mesh& mesh, const std::vector<std::pair<FaceI
       for (HalfedgeId h : mesh.fan(v)) reach(mesh.to(h), r);
   }
 
-  // Faces with such a vertex hang together; sheets that meet belong together.
+  // Vertices of a place that share a face belong to one place, and so do the two triangles of a pair.
   DisjointSets sets(mesh.vertex_count());
   const auto at = [](VertexId v) { return v.index; };
   for (FaceId f : mesh.faces()) {

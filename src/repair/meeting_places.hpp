@@ -1,5 +1,5 @@
 #pragma once
-// Where triangles meet that should not, in groups that can be mended apart from each other.
+// Groups ("places") of intersecting triangles that can be repaired independently of each other.
 
 #include <utility>
 #include <vector>
@@ -8,16 +8,17 @@
 
 namespace foramen::repair_detail {
 
-/// Rings of vertices round the triangles that meet.
+/// Number of rings of vertices around intersecting triangles that belong to a place.
 inline constexpr int place_rings = 2;
 
 struct MeetingPlaces {
   MeetingPlaces(const Mesh& mesh, const std::vector<std::pair<FaceId, FaceId>>& pairs);
 
   int count = 0;
-  VertexMap<int> ring;       ///< 0: of a triangle that meets another, up to place_rings; -1: in no place
-  VertexMap<int> of_vertex;  ///< place; -1: none
-  FaceMap<int> of_face;      ///< place of a face with a vertex in it; -1: none
+  /// 0: vertex of an intersecting triangle; 1 to place_rings: rings around them; -1: in no place.
+  VertexMap<int> ring;
+  VertexMap<int> of_vertex;  ///< index of the place; -1: none
+  FaceMap<int> of_face;      ///< place of a face that has a vertex in it; -1: none
 };
 
 }  // namespace foramen::repair_detail

@@ -11,17 +11,17 @@
 namespace foramen::repair_detail {
 namespace {
 
-// Flaps may hang on flaps; a soup without end of them is not worth more rounds.
+// Largest number of rounds. More than one is needed if flaps are attached to flaps.
 constexpr int rounds = 10;
 
 std::size_t face(const Side& side) { return side.halfedge / 3; }
 
 struct Pieces {
-  std::vector<std::size_t> of_face;  // the smallest face of its piece
-  std::vector<std::size_t> by_area;  // smallest first
+  std::vector<std::size_t> of_face;  // smallest face index of the piece of each face
+  std::vector<std::size_t> by_area;  // pieces in order of area, smallest first
 };
 
-// Of triangles joined by edges that two share.
+// The pieces of triangles that are connected across edges with exactly two triangles.
 Pieces pieces_of(const TriangleSoup& soup, const EdgeSides& edges) {
   DisjointSets sets(soup.triangles.size());
   for (std::size_t e = 0; e < edges.edge_count(); ++e)
@@ -39,7 +39,7 @@ Pieces pieces_of(const TriangleSoup& soup, const EdgeSides& edges) {
   return pieces;
 }
 
-// Sides of each piece on each non-manifold edge: piece, edge, count.
+// For each piece and each non-manifold edge, the number of sides of the piece on the edge.
 using Attachments = std::map<std::size_t, std::map<std::size_t, int>>;
 
 Attachments attachments(const EdgeSides& edges, const Pieces& pieces) {
@@ -50,7 +50,8 @@ Attachments attachments(const EdgeSides& edges, const Pieces& pieces) {
   return found;
 }
 
-// Whether a piece ends at an edge, and every edge that it hangs on can do without it.
+// Whether a piece has a border at some non-manifold edge, and each of its non-manifold edges has at least two
+// other sides.
 bool is_flap(const std::map<std::size_t, int>& hangs_on, const std::map<std::size_t, int>& sides_left) {
   bool ends = false;
   for (const auto& [edge, count] : hangs_on) {
@@ -68,7 +69,7 @@ std::vector<Vec3> drop_flaps(RawSurface& surface) {
   for (const auto& [piece, on] : hanging)
     for (const auto& [edge, count] : on) sides_left[edge] += count;
 
-  std::map<std::size_t, std::pair<Vec3, int>> dropped;  // sum of centres and number of triangles
+  std::map<std::size_t, std::pair<Vec3, int>> dropped;  // sum of triangle centres and number of triangles
   for (int round = 0; round < rounds; ++round) {
     const std::size_t before = dropped.size();
     for (std::size_t k = 0; k + 1 < pieces.by_area.size(); ++k) {
@@ -94,16 +95,16 @@ std::vector<Vec3> drop_flaps(RawSurface& surface) {
   return positions;
 }
 
-// Sides of one edge that stay together: two, or one that finds no partner.
+// Sides of one edge that stay connected: two, or one that has no partner.
 using Strand = std::vector<Side>;
 
-// Round the edge from low to high, the solid lies behind a triangle that runs forward and before one that
-// runs backward: each backward one and the forward one that follows have solid between them.
+// Pairs the sides of an edge. Sorted by angle around the edge, each backward side and the forward side that
+// follows it have solid between them.
 std::vector<Strand> strands(const TriangleSoup& soup, std::span<const Side> sides) {
   if (sides.size() <= 2) return {Strand(sides.begin(), sides.end())};
   const Vec3 &low = soup.points[sides[0].low], &high = soup.points[sides[0].high];
   Vec3 axis = (high - low).normalized();
-  if (!(axis.norm() > 0.5)) axis = Vec3::UnitZ();  // ends that rounding does not tell apart
+  if (!(axis.norm() > 0.5)) axis = Vec3::UnitZ();  // the ends coincide up to rounding
   const Vec3 across = axis.unitOrthogonal(), third = axis.cross(across);
   std::vector<std::pair<double, Side>> round;
   for (const Side& side : sides) {
@@ -136,8 +137,8 @@ std::size_t corner_at_high(const Side& s) {
   return 3 * f + (s.forward ? (k + 1) % 3 : k);
 }
 
-// One point for each fan: the first fan of a point keeps it.
-// Returns how many fans each point had.
+// Gives each fan of triangles at a point a point of its own; the first fan keeps the old one. Returns the
+// number of fans of each point.
 std::vector<int> double_points(RawSurface& surface, DisjointSets& fans) {
   TriangleSoup& soup = surface.soup;
   std::vector<int> count(soup.points.size(), 0);
@@ -157,7 +158,7 @@ std::vector<int> double_points(RawSurface& surface, DisjointSets& fans) {
   return count;
 }
 
-// Puts a point in the middle of a strand. False if a triangle of it was divided before.
+// Splits the edge of a strand at its midpoint. False if a triangle of the strand was split before.
 bool divide(RawSurface& surface, const Strand& strand, std::vector<char>& divided) {
   TriangleSoup& soup = surface.soup;
   for (const Side& side : strand)
@@ -188,7 +189,7 @@ std::vector<Vec3> non_manifold_edges(const TriangleSoup& soup) {
   return middles;
 }
 
-// Takes strands and fans apart. Returns the points that were doubled away from non-manifold edges.
+// Separates strands and fans. Returns the doubled points that are not on non-manifold edges.
 std::vector<Vec3> take_apart(RawSurface& surface) {
   TriangleSoup& soup = surface.soup;
   const EdgeSides edges(soup.triangles);
@@ -211,7 +212,7 @@ std::vector<Vec3> take_apart(RawSurface& surface) {
   for (std::size_t v = 0; v < on_opened.size(); ++v)
     if (fan_count[v] > 1 && on_opened[v] == 0) doubled.push_back(soup.points[v]);
 
-  // Where two strands of an edge keep both its ends in common, a point between them tells them apart.
+  // If two strands of an edge still share both ends, one of them gets a new point at the middle of the edge.
   std::vector<char> divided(soup.triangles.size(), 0);
   for (const auto& here : opened) {
     std::vector<std::pair<std::size_t, std::size_t>> ends;
@@ -231,7 +232,7 @@ OpenedPlaces open_non_manifold(RawSurface& surface) {
   places.edges = non_manifold_edges(surface.soup);
   if (!places.edges.empty()) places.flaps = drop_flaps(surface);
   places.vertices = take_apart(surface);
-  // A triangle is divided once a round.
+  // A triangle is split at most once per round, so several rounds may be needed.
   for (int round = 1; round < rounds && !non_manifold_edges(surface.soup).empty(); ++round)
     take_apart(surface);
   return places;

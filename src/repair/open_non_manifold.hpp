@@ -8,17 +8,17 @@
 namespace foramen::repair_detail {
 
 struct OpenedPlaces {
-  std::vector<Vec3> flaps;     ///< middle of each piece dropped
-  std::vector<Vec3> edges;     ///< middle of each non-manifold edge
-  std::vector<Vec3> vertices;  ///< that were doubled and lie on no such edge
+  std::vector<Vec3> flaps;     ///< centre of each dropped piece
+  std::vector<Vec3> edges;     ///< midpoint of each non-manifold edge
+  std::vector<Vec3> vertices;  ///< vertices that were doubled and lie on no such edge
 };
 
-/// At an edge with three or more triangles: first pieces that end there and are not needed to close the
-/// others are dropped, the smaller ones first (flaps, inner walls). Then the triangles that are left are
-/// joined two by two so that each two have solid between them, and the pairs are taken apart: parts of the
-/// solid that touch along the edge are separated. What finds no partner is left with a border. Vertices are
-/// doubled where this, or touching in one point alone, leaves several fans. New points come last. \pre no
-/// triangle has a corner twice, none is there twice
+/// Removes non-manifold edges and vertices. First, pieces that have a border at an edge with three or more
+/// triangles and are not needed to close the rest are dropped, smaller ones first (flaps, inner walls). Then
+/// the remaining triangles of such an edge are joined in pairs that have solid between them, and the pairs
+/// are separated, so parts of the solid that touch along the edge come apart. A triangle without partner gets
+/// a border. Finally, each vertex with several fans of triangles is doubled. New points come last. \pre no
+/// triangle has a repeated corner and no triangle occurs twice
 OpenedPlaces open_non_manifold(RawSurface& surface);
 
 }  // namespace foramen::repair_detail

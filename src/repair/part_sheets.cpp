@@ -16,11 +16,12 @@ namespace {
 
 using namespace repair_detail;
 
-// Shifts, as parts of the largest move allowed.
+// Tried shifts, relative to the largest allowed move.
 constexpr std::array shifts{1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
-// Widths of what is cut out, in rings round the triangles that meet; and how often a surface is worth it.
+// Largest width of a part that is cut out, in rings of triangles, and largest number of parts.
 constexpr int most_rings = 3, most_cuts = 50;
-// Normals are those of the wall, not of its dents: averaged over neighbours this often.
+// Rounds of averaging over neighbours, after which the normals are those of the wall rather than of its
+// dents.
 constexpr int normal_smoothing = 3;
 
 VertexMap<Vec3> wall_normals(const Mesh& mesh) {
@@ -33,7 +34,7 @@ VertexMap<Vec3> wall_normals(const Mesh& mesh) {
   return normals;
 }
 
-// New positions of all vertices of the places.
+// A repair that proposes new positions for the vertices of all places.
 using Remedy = std::function<std::vector<Vec3>(const Mesh&, const MeetingPlaces&)>;
 
 Remedy shifted(double distance_mm) {
@@ -76,7 +77,8 @@ class Parting {
 
   bool done() const { return pairs_.empty(); }
 
-  // Takes the remedy over where it helps.
+  // Applies the remedy in the places where it removes all intersections, if this lowers the number of
+  // intersecting pairs.
   void attempt(const Remedy& remedy) {
     const MeetingPlaces places(now_.mesh, pairs_);
     const std::vector<Vec3> trial = remedy(now_.mesh, places);
@@ -100,7 +102,8 @@ class Parting {
     pairs_ = std::move(pairs);
   }
 
-  // Cuts the first place out, as narrowly as helps. False if nothing does.
+  // Cuts a place out and closes it by disks, as narrowly as lowers the number of intersecting pairs. False if
+  // no width does.
   bool cut_out(int place) {
     const MeetingPlaces places(now_.mesh, pairs_);
     FaceSet faces(now_.mesh.face_count(), 0);
@@ -132,7 +135,7 @@ class Parting {
   }
 
   void cut_out_all() {
-    int kept = 0;  // places that cannot be helped
+    int kept = 0;  // places that cannot be repaired
     for (int cut = 0; cut < most_cuts && kept < MeetingPlaces(now_.mesh, pairs_).count; ++cut)
       if (!cut_out(kept)) ++kept;
   }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Parting of sheets of a surface that run through each other.
+/// Separation of sheets of a surface that intersect each other.
 
 #include <vector>
 
@@ -9,22 +9,23 @@
 namespace foramen {
 
 struct PartSheetsOptions {
-  double largest_move_mm = 0.5;  ///< No vertex that is kept is moved further than this [mm].
+  double largest_move_mm = 0.5;  ///< No change moves a kept vertex by more than this [mm].
 };
 
 struct PartedSheets {
   Mesh mesh;
-  VertexMap<VertexId> origin;   ///< per vertex: the vertex before; invalid: new
-  std::vector<Vec3> positions;  ///< of each pair of triangles that met and does no more, mm
-  std::vector<Vec3> remaining;  ///< of each pair that meets still
-  double largest_move_mm = 0;   ///< of a vertex that was kept
+  VertexMap<VertexId> origin;   ///< per vertex: its index in the input; invalid for a new vertex
+  std::vector<Vec3> positions;  ///< one position per pair of triangles that was separated, mm
+  std::vector<Vec3> remaining;  ///< one position per pair that still intersects, mm
+  double largest_move_mm = 0;   ///< largest displacement of a kept vertex
 };
 
-/// Undoes self-intersections place by place, a place being some triangles that meet and two rings round them.
-/// From the least on, these changes are tried, and the first is made that leaves the place without any: its
-/// sheets moved outward (a wall thinner than nothing) or inward (a gap), smoothed, or cut out and closed by
-/// disks. Where none helps, nothing is changed. \pre closed, outward. ConvergenceError if the surface runs
-/// through itself so often that the pairs cannot be listed.
+/// Removes self-intersections place by place, where a place consists of connected intersecting triangles and
+/// two rings of vertices around them. Changes of increasing size are tried, and the first one that frees the
+/// place of intersections is kept: the vertices are moved outward (if a wall has negative thickness) or
+/// inward (if a gap has), or they are smoothed. If none of these succeeds, the place is cut out and closed by
+/// disks. A place that nothing repairs is left unchanged. Throws ConvergenceError if there are too many
+/// self-intersections to list. \pre closed, wound outward
 PartedSheets part_sheets(const Mesh& mesh, const PartSheetsOptions& options = {});
 
 }  // namespace foramen

@@ -9,7 +9,7 @@
 namespace foramen::repair_detail {
 namespace {
 
-// Vertices where the faces left would form several fans.
+// Vertices at which the remaining faces would form several fans.
 std::vector<VertexId> pinches(const Mesh& mesh, const FaceSet& taken) {
   std::vector<VertexId> found;
   for (VertexId v : mesh.vertices()) {
@@ -22,7 +22,7 @@ std::vector<VertexId> pinches(const Mesh& mesh, const FaceSet& taken) {
   return found;
 }
 
-// Adds all pieces of the rest but the largest.
+// Adds all pieces of the remaining mesh except the largest one to `taken`.
 void keep_largest_rest(const Mesh& mesh, FaceSet& taken) {
   FaceMap<int> piece(mesh.face_count(), -1);
   std::vector<int> size;
@@ -142,7 +142,7 @@ Vec3 border_centre(const Mesh& mesh, const Border& border) {
 Mesh with_disks(const Mesh& open, Fairness fairness) {
   TriangleSoup soup = open.soup();
   for (const Border& border : borders(open)) {
-    // The disk runs against the border.
+    // The disk is wound against the direction of the border.
     std::vector<VertexId> loop;
     for (auto h = border.rbegin(); h != border.rend(); ++h) loop.push_back(open.to(*h));
     std::vector<Vec3> points;

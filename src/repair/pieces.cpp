@@ -11,7 +11,7 @@
 namespace foramen::repair_detail {
 namespace {
 
-// Points of a dropped piece that are asked whether they lie inside.
+// Number of points of a dropped piece that are kept to test whether it lies inside.
 constexpr std::size_t most_samples = 7;
 
 struct Piece {
@@ -66,7 +66,7 @@ std::vector<char> wind_alike(RawSurface& surface) {
   auto& triangles = surface.soup.triangles;
   struct Neighbour {
     int face;
-    bool opposed;  // the two run along their edge in the same direction
+    bool opposed;  // both triangles run along the common edge in the same direction
     int edge_low, edge_high;
   };
   std::vector<std::vector<Neighbour>> neighbours(triangles.size());

@@ -11,7 +11,8 @@
 namespace foramen::repair_detail {
 namespace {
 
-// No scanner's frame reaches this far; exact predicates stay within the range of a double.
+// Beyond the coordinates of any scanner, and small enough that exact predicates stay within the range of a
+// double.
 constexpr double largest_coordinate_mm = 1e6;
 
 auto coordinates(const Vec3& p) { return std::tuple(p.x(), p.y(), p.z()); }

@@ -1,5 +1,5 @@
 #pragma once
-// A soup on its way to a mesh, and what can be mended without knowing its neighbours.
+// A soup under repair, and the repairs that need no connectivity.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace foramen::repair_detail {
 
-/// The soup as it is now, and the way back to the raw one.
+/// The current soup and the origin of its points.
 struct RawSurface {
   TriangleSoup soup;
   std::vector<int> origin;  ///< per point: its index in the raw soup
@@ -18,14 +18,14 @@ struct RawSurface {
 /// out of range.
 RawSurface checked(const TriangleSoup& raw);
 
-/// Each returns where something was changed, one position for each. Nothing else moves, the order stays.
+/// Each of these functions returns one position per change. All else keeps its position and order.
 std::vector<Vec3> drop_unused_vertices(RawSurface& surface);
-/// Joins vertices of exactly the same coordinates with the first of them.
+/// Merges vertices of exactly equal coordinates with the first of them.
 std::vector<Vec3> join_duplicate_vertices(RawSurface& surface);
 std::vector<Vec3> drop_triangles_with_repeated_corner(RawSurface& surface);
-/// The first of those with the same three corners stays, whatever their winding.
+/// Of triangles with the same three corners, in any winding, keeps the first.
 std::vector<Vec3> drop_duplicate_triangles(RawSurface& surface);
-/// Keeps the triangles marked.
+/// Drops the triangles that are not marked in `kept`.
 void keep_triangles(RawSurface& surface, const std::vector<char>& kept);
 
 Vec3 centre(const TriangleSoup& soup, const std::array<int, 3>& triangle);

@@ -16,12 +16,13 @@ namespace {
 
 using namespace repair_detail;
 
-// Widths of the band that is taken out, in rings of triangles round the loop.
+// Largest width of the removed band, in rings of triangles around the loop.
 constexpr int most_rings = 6;
 
 int genus(const Mesh& mesh) { return (2 - mesh.euler_characteristic()) / 2; }
 
-// The narrowest band along the loop whose disks meet nothing. Empty if none does.
+// Removes the narrowest band along the loop whose closing disks do not intersect the surface; nullopt if
+// there is none.
 std::optional<EditedMesh> closed_along(const Mesh& mesh, const EdgeLoop& loop) {
   FaceSet band = faces_along(mesh, loop);
   for (int ring = 1; ring <= most_rings; ++ring, band = grown(mesh, band)) {
@@ -63,11 +64,12 @@ void require_noise(const Mesh& mesh, const RemoveHandlesOptions& options, const 
   if (anatomy.empty()) return;
   throw TopologyError(
       "genus " + std::to_string(g) + ": beside the canal there " + (anatomy.size() == 1 ? "is " : "are ") +
-      counted(anatomy.size(), "handle") + " too large for noise (" + listed(anatomy) +
-      "): foramina transversaria of a cervical vertebra are "
-      "anatomy, not defects, and such vertebrae are not supported; if it is noise all the same, raise "
-      "--handle-limit (" +
-      shown_mm(options.noise_mm) + ", for both lengths) or mend the segmentation");
+          counted(anatomy.size(), "handle") + " too large for noise (" + listed(anatomy) +
+          "): foramina transversaria of a cervical vertebra are "
+          "anatomy, not defects, and such vertebrae are not supported; if it is noise all the same, raise "
+          "the limit of handles (" +
+          shown_mm(options.noise_mm) + ", for both lengths) or mend the segmentation",
+      {{RemedyKind::handle_limit}});
 }
 
 }  // namespace
@@ -91,8 +93,7 @@ HandleRemoval remove_handles(const Mesh& mesh, const RemoveHandlesOptions& optio
   if (genus(mesh) == 0)
     throw TopologyError(
         "genus 0: no hole passes through the surface, so the vertebral canal is closed or the arch is open; "
-        "neither is "
-        "a defect that can be mended without knowing where the canal was: mend the segmentation");
+        "neither is a defect that can be mended without knowing where the canal was: mend the segmentation");
   if (genus(mesh) > 1) require_noise(mesh, options, ctx);
 
   EditedMesh now = unchanged(mesh);

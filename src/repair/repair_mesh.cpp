@@ -32,7 +32,7 @@ bool is_inside(const TriangleTree& surface, const std::vector<Vec3>& points) {
   return 2 * inside > static_cast<int>(points.size());
 }
 
-// A closed, connected, manifold, oriented surface without anything else that needs mending here.
+// Whether the soup is one closed, manifold, oriented surface without invalid or duplicate triangles.
 bool is_one_surface(const TriangleSoup& soup) {
   const MeshReport report = inspect_mesh(soup);
   return report.genus.has_value() && report.invalid_triangles == 0 && report.duplicate_triangles == 0;
@@ -60,7 +60,8 @@ class Repair {
 
   void clean_soup() {
     note(RepairKind::unused_vertices, drop_unused_vertices(raw_));
-    // On a clean surface points of equal coordinates belong to parts that touch: joining them would spoil it.
+    // On a surface without defects, points of equal coordinates belong to parts that touch. Merging them
+    // would make it non-manifold.
     if (!is_one_surface(raw_.soup)) {
       note(RepairKind::duplicate_vertices, join_duplicate_vertices(raw_));
       note(RepairKind::zero_area_triangles, drop_triangles_with_repeated_corner(raw_));
@@ -118,7 +119,7 @@ class Repair {
     return closed;
   }
 
-  // Once there is an inside.
+  // Classifies the dropped pieces as inside or outside, which needs a closed surface.
   void judge_dropped_pieces() {
     std::vector<Vec3> stray, inner;
     if (!dropped_.empty()) {
@@ -200,7 +201,7 @@ class Repair {
 
   RepairedMesh result() {
     if (const auto obstacle = obstacle_to_model(inspect_mesh(now_.mesh.soup())))
-      throw InvalidInput(obstacle->finding + " after repair; " + obstacle->remedy);
+      throw InvalidInput(obstacle->finding + " after repair; " + obstacle->advice);
     std::stable_sort(report_.changes.begin(), report_.changes.end(),
                      [](const RepairChange& a, const RepairChange& b) { return a.kind < b.kind; });
     RepairedMesh out{now_.mesh, std::move(report_), now_.origin,

@@ -9,7 +9,7 @@ namespace {
 
 using repair_detail::shown;
 
-// More are counted, but not named.
+// At most this many positions are listed; the rest is counted.
 constexpr std::size_t most_named = 3;
 
 std::string counted(const std::vector<Vec3>& positions) {

@@ -1,5 +1,5 @@
 #pragma once
-// How positions and lengths are written in messages.
+// Texts of positions and lengths in messages.
 
 #include <string>
 

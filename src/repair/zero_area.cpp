@@ -12,9 +12,9 @@
 namespace foramen::repair_detail {
 namespace {
 
-// A side this much shorter than the longest is collapsed.
+// A side is collapsed if it is shorter than this part of the longest side.
 constexpr double short_side = 0.01;
-// A triangle that is mended may leave another; a chain of them is taken apart link by link.
+// The repair of a triangle may make another one degenerate, so a chain of them needs several rounds.
 constexpr int most_rounds = 30;
 
 double length(const Mesh& mesh, HalfedgeId h) {
@@ -28,7 +28,7 @@ std::vector<FaceId> degenerate_faces(const Mesh& mesh, double limit) {
   return found;
 }
 
-// One round of changes that do not touch one another.
+// One round of changes with disjoint neighbourhoods.
 class Round {
  public:
   Round(const Mesh& mesh, double limit)
@@ -81,7 +81,7 @@ class Round {
     return true;
   }
 
-  // Two vertices may become one if they have no common neighbour beside the tips of the two triangles.
+  // Two vertices may be merged if their only common neighbours are the opposite corners of the two triangles.
   bool collapse(HalfedgeId side) {
     const VertexId a = mesh_.from(side), b = mesh_.to(side);
     std::vector<VertexId> at_a = ring(a), at_b = ring(b), common;
@@ -113,7 +113,7 @@ class Round {
   VertexMap<char> touched_;
 };
 
-// The triangles round it replaced by a disk. Empty if that is no disk.
+// Replaces the triangles around a face by a disk; nullopt if they are not a disk.
 std::optional<EditedMesh> replaced(const Mesh& mesh, FaceId f) {
   FaceSet faces(mesh.face_count(), 0);
   faces[f] = 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Triangles whose corners lie on one line.
+// Removal of triangles of zero area.
 
 #include <vector>
 
@@ -9,12 +9,12 @@ namespace foramen::repair_detail {
 
 struct WithoutZeroArea {
   EditedMesh edited;
-  std::vector<Vec3> positions;  ///< of each triangle without area, as it was
+  std::vector<Vec3> positions;  ///< one per removed triangle of zero area, mm
 };
 
-/// Removes them one by one: a short side is collapsed to one of its ends, otherwise the longest side is
-/// flipped, otherwise the triangles round it are replaced by a disk. Throws InvalidInput naming the place if
-/// one is left. \pre closed
+/// Removes triangles of zero area one by one: a short side is collapsed to one of its ends; otherwise the
+/// longest side is flipped; otherwise the triangles around it are replaced by a disk. Throws InvalidInput
+/// with a position if a triangle cannot be removed. \pre closed
 WithoutZeroArea without_zero_area(const Mesh& mesh);
 
 }  // namespace foramen::repair_detail

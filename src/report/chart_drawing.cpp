@@ -11,12 +11,12 @@ namespace foramen {
 namespace {
 
 constexpr double width = 440, left = 56, right = 16, title_height = 34, plot_height = 220, bottom = 46;
-// The legend stands between title and curves, so that it hides none.
+// The legend is placed between the title and the curves, so that it hides no curve.
 constexpr std::size_t legend_columns = 2;
 constexpr double legend_line = 18;
 constexpr double curve_width = 1.6, dot_radius = 3, swatch_width = 3;
 
-// Axis from low to high with round steps.
+// An axis from low to high with round steps.
 struct Axis {
   double low = 0, high = 1, step = 1;
   int digits = 0;

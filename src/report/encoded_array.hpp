@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Numbers inside a page: typed arrays as Base64.
+/// Typed arrays as Base64, for numbers inside a page.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,10 +13,11 @@ namespace foramen {
 struct EncodedArray {
   std::string type;                ///< f32, i8, u16 or u32
   std::vector<std::size_t> shape;  ///< the last index runs fastest
-  std::string base64;              ///< of the numbers, little endian
+  std::string base64;              ///< the numbers, in little-endian order
 };
 
-/// T is float, std::int8_t, std::uint16_t or std::uint32_t. \pre as many values as the shape has places
+/// Encodes values of type float, std::int8_t, std::uint16_t or std::uint32_t. \pre the number of values is
+/// the product of the shape
 template <class T>
 EncodedArray encoded(std::span<const T> values, std::vector<std::size_t> shape);
 

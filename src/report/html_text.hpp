@@ -5,7 +5,7 @@
 
 namespace foramen {
 
-/// Text made safe inside HTML and SVG, in elements and in quoted attributes.
+/// The text escaped for HTML and SVG, for use in elements and in quoted attributes.
 std::string html_escaped(std::string_view text);
 /// Standard Base64 (RFC 4648) with padding.
 std::string base64(std::string_view bytes);

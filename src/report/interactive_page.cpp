@@ -11,7 +11,7 @@ std::string filled_template(std::string_view page, std::string_view data) {
   FORAMEN_ASSERT(at != std::string_view::npos && page.find(place, at + 1) == std::string_view::npos);
   std::string out(page.substr(0, at));
   out.reserve(page.size() + data.size());
-  for (const char c : data)  // in JSON a < stands in strings only
+  for (const char c : data)  // in JSON, < occurs only inside strings
     if (c == '<')
       out += "\\u003c";
     else

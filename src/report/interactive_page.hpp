@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The interactive page of a report: the viewer, built from viewer/ and compiled in, with its data.
+/// The interactive page of a report: the viewer, which is built from viewer/ and compiled into foramen, with
+/// the data.
 
 #include <string>
 #include <string_view>
@@ -10,7 +11,7 @@ namespace foramen {
 /// Whether this build of foramen holds the viewer (it is built where npm is found).
 bool has_viewer();
 
-/// One self-contained page that loads nothing from elsewhere. \param data  JSON as docs/report.md defines it
+/// One self-contained page that loads nothing else. \param data  JSON as docs/report.md defines it
 /// \pre has_viewer()
 std::string interactive_html(std::string_view data);
 

@@ -11,7 +11,8 @@ namespace {
 constexpr double font_size = 12;
 constexpr std::uint32_t black = 0x000000, faint_ink = 0xE0E0E0;
 
-// Widths of Helvetica's letters from the space on, in thousandths of the size (Adobe's font metrics).
+// The widths of Helvetica's characters, beginning with the space, in thousandths of the font size (Adobe's
+// font metrics).
 constexpr std::array<int, 95> letter_widths{
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333,  278, 278, 556, 556, 556,
     556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667,
@@ -20,12 +21,12 @@ constexpr std::array<int, 95> letter_widths{
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
 constexpr int other_width = 556;
 
-// UTF-8 to Latin-1, of which WinAnsi holds the letters.
+// Converts UTF-8 to Latin-1, whose letters WinAnsi contains.
 std::string latin1(const std::string& utf8) {
   std::string out;
   for (std::size_t i = 0; i < utf8.size(); ++i) {
     const auto c = static_cast<unsigned char>(utf8[i]);
-    if ((c & 0xc0) == 0x80) continue;  // the rest of a letter
+    if ((c & 0xc0) == 0x80) continue;  // a continuation byte of a character
     const bool two_bytes = (c & 0xfe) == 0xc2 && i + 1 < utf8.size();
     const unsigned letter =
         two_bytes ? (c & 0x03u) << 6 | (static_cast<unsigned char>(utf8[i + 1]) & 0x3fu) : c;
@@ -53,7 +54,7 @@ std::string string_pdf(const std::string& letters) {
   return out + ")";
 }
 
-// Operands and an operator.
+// A PDF command: operands and an operator.
 std::string command(std::initializer_list<double> numbers, const char* name) {
   std::string out;
   for (double number : numbers) out += plain_number(number, 2) + " ";
@@ -62,7 +63,7 @@ std::string command(std::initializer_list<double> numbers, const char* name) {
 
 std::string ink_pdf(std::uint32_t colour, const char* name) {
   std::string out;
-  // Of three digits, so that the byte comes back.
+  // Three digits are enough for readers to restore the same byte.
   for (int shift : {16, 8, 0}) out += plain_number((colour >> shift & 0xffu) / 255.0, 3) + " ";
   return out + name + "\n";
 }
@@ -74,12 +75,12 @@ std::string stroke_pdf(const DrawnStroke& stroke, std::uint32_t ink) {
   return out + "S\n";
 }
 
-// A line of no length with round ends.
+// A dot is a line of length zero with round ends.
 std::string dot_pdf(const DrawnDot& dot, std::uint32_t ink) {
   return "q 1 J\n" + stroke_pdf({{dot.centre, dot.centre}, 2 * dot.radius}, ink) + "Q\n";
 }
 
-// The page is upside down (see content_of), so that text has to be turned over again.
+// content_of() turns the page upside down, so text has to be turned back.
 std::string text_pdf(const DrawnText& text) {
   const std::string letters = latin1(text.text);
   const double before = text.anchor == Anchor::start ? 0.0
@@ -112,7 +113,7 @@ std::string font_pdf(const char* name) {
 std::string pdf_chart(const Chart& chart) {
   const Drawing drawing = chart_drawing(chart);
   const std::string content = content_of(drawing);
-  // Numbered from 1.
+  // PDF numbers its objects from 1.
   const std::vector<std::string> objects{
       "<< /Type /Catalog /Pages 2 0 R >>",
       "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The same curves as PDF, for papers.
+/// Charts as PDF, for papers.
 
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace foramen {
 
-/// A PDF file (1.4) of one page as large as the chart, a unit of the drawing being a point: vector graphics,
-/// text in Helvetica, which every reader has. Letters beyond Latin-1 become '?'. Identical input gives
-/// identical bytes.
+/// A PDF 1.4 file with one page of the size of the chart. A unit of the drawing is one point. The page has
+/// vector graphics, and text in Helvetica, which every reader has. Letters beyond Latin-1 become '?'.
+/// Identical input gives identical bytes.
 std::string pdf_chart(const Chart& chart);
 
 }  // namespace foramen

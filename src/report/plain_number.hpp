@@ -5,7 +5,7 @@
 
 namespace foramen {
 
-/// A number in fixed point.
+/// The number in fixed-point notation.
 inline std::string plain_number(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);

@@ -30,7 +30,7 @@ td.long { text-align: left; white-space: normal; min-width: 13rem; }
 }
 )";
 
-// Cells longer than this are prose, not figures.
+// Longer cells are treated as prose, not as figures.
 constexpr std::size_t prose_length = 40;
 
 std::string table_html(const ReportTable& table) {

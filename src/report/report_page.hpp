@@ -18,14 +18,14 @@ struct ReportTable {
 struct ReportPicture {
   std::string caption;
   std::string png;             ///< the file's bytes
-  std::string file_stem = {};  ///< what its file is called, where it is written to one
+  std::string file_stem = {};  ///< the name of its file without extension, if it is written to a file
 };
 
-/// Its parts appear in this order.
+/// The parts of a section appear in this order.
 struct ReportSection {
   std::string title;
   std::vector<std::string> paragraphs = {};
-  std::vector<std::string> findings = {};  ///< a list, a line each
+  std::vector<std::string> findings = {};  ///< a list of lines
   std::vector<ReportPicture> pictures = {};
   std::vector<Chart> charts = {};
   std::vector<ReportTable> tables = {};
@@ -36,8 +36,8 @@ struct ReportPage {
   std::vector<ReportSection> sections;
 };
 
-/// All text is escaped; nothing is loaded from elsewhere. Readable on a phone and on a wide screen, light and
-/// dark, printable.
+/// The page as HTML. All text is escaped, and the page loads nothing else. It can be read on a phone and on a
+/// wide screen, in a light and in a dark scheme, and it can be printed.
 std::string report_html(const ReportPage& page);
 
 }  // namespace foramen

@@ -11,7 +11,7 @@ namespace {
 
 std::string coordinate(double value) { return plain_number(value, 2); }
 
-// Grey that shows on light and on dark.
+// A grey that is visible on light and on dark backgrounds.
 constexpr const char* faint_ink = "#8884";
 
 std::string ink_of(const DrawnPart& part) {

@@ -17,15 +17,15 @@ struct Chart {
   std::string title;
   std::string x_label, y_label;  ///< with unit
   std::vector<ChartSeries> series;
-  std::string file_stem = {};  ///< what its file is called, where it is written to one
+  std::string file_stem = {};  ///< the name of its file without extension, if it is written to a file
 };
 
-/// A self-contained <svg> element. Colours come from CSS classes series-0 ... with defaults inside, so that a
-/// page's dark scheme can change them. The y axis starts at zero when the smallest value is below a third of
-/// the largest. Identical input gives identical text.
+/// A self-contained <svg> element. The colours are set by the CSS classes series-0, series-1 and so on, with
+/// default values, so that a page's dark scheme can change them. The y axis starts at zero when the smallest
+/// value is below a third of the largest. Identical input gives identical text.
 std::string svg_chart(const Chart& chart);
 
-/// The same as a file of its own: black on white, with a size.
+/// The chart as a file of its own: black on white, with a fixed size.
 std::string svg_chart_file(const Chart& chart);
 
 }  // namespace foramen

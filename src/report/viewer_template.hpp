@@ -5,12 +5,12 @@
 
 namespace foramen {
 
-/// The page that viewer/ builds, with @REPORT_DATA@ where the data belong; empty in a build without npm.
-/// Defined in a file that cmake/ForamenViewer.cmake makes.
+/// The page that is built from viewer/, with @REPORT_DATA@ in the place of the data; empty in a build without
+/// npm. The function is defined in a file that cmake/ForamenViewer.cmake generates.
 std::string_view viewer_template();
 
-/// The template with JSON in the place of @REPORT_DATA@, written so that no text in it can end its element.
-/// Throws InternalError unless there is one such place.
+/// The template with the JSON data in the place of @REPORT_DATA@. The data is escaped so that it cannot end
+/// the element around it. Throws InternalError unless the template contains @REPORT_DATA@ exactly once.
 std::string filled_template(std::string_view page, std::string_view data);
 
 }  // namespace foramen

@@ -11,17 +11,18 @@
 namespace foramen {
 namespace {
 
-/// The share of its neighbours' mean that a vertex takes over in one round of smoothing.
+/// Weight of the mean of the neighbours in one round of smoothing.
 constexpr double smoothing_share = 0.5;
-/// Curvature is clamped at this quantile of the vertices, so that no single spur sets the scale for all.
+/// Curvature is clamped at this quantile over the vertices, so that a single spike does not determine the
+/// scale.
 constexpr double clamp_quantile = 0.99;
 
-/// Signed: positive where the surface is convex.
+/// Signed dihedral angle, positive where the surface is convex.
 double dihedral_angle(const Vec3& left_normal, const Vec3& right_normal, const Vec3& edge_direction) {
   return std::atan2(right_normal.cross(left_normal).dot(edge_direction), left_normal.dot(right_normal));
 }
 
-/// The normal-cycle curvature tensor, integrated over a vertex's share of the surface, with the share's area.
+/// The normal-cycle curvature tensor integrated over the region of a vertex, and the area of the region.
 struct CurvatureMeasure {
   Mat3 tensor = Mat3::Zero();  // mm
   double area = 0;             // mm^2
@@ -49,7 +50,7 @@ VertexMap<CurvatureMeasure> curvature_measures(const Mesh& mesh) {
   return out;
 }
 
-/// Each value half-way to the mean of its neighbours', `rounds` times.
+/// Blends each value with the mean of its neighbours, `rounds` times.
 template <class Value, class Mean>
 void smooth(const Mesh& mesh, VertexMap<Value>& values, int rounds, const Mean& blend) {
   std::vector<std::vector<int>> neighbours(mesh.vertex_count());
@@ -82,13 +83,15 @@ double blend_density(const VertexMap<double>& old, VertexId v, const std::vector
   return out;
 }
 
-/// Rounds after which the smoothing's kernel has the standard deviation `radius` in every direction: a round
-/// adds smoothing_share times the squared edge length to the variance of both together.
+/// Number of rounds after which the smoothing kernel has the standard deviation `radius` in each direction.
+/// One round adds smoothing_share times the squared edge length to the sum of the variances in both
+/// directions.
 int rounds_for_radius(double radius, double edge) {
   return static_cast<int>(std::lround(2 * radius * radius / (smoothing_share * edge * edge)));
 }
 
-/// (|K| + H^2) / 2 of a curvature tensor: its eigenvalue nearest zero belongs to the normal.
+/// (|K| + H^2) / 2 of a curvature tensor. The eigenvalue nearest to zero belongs to the normal; the others
+/// are the principal curvatures.
 double curvature(const CurvatureMeasure& measure) {
   if (!(measure.area > 0)) return 0;
   Eigen::SelfAdjointEigenSolver<Mat3> solver;

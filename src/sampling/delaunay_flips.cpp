@@ -5,15 +5,16 @@
 namespace foramen::detail {
 namespace {
 
-// Sine of the excess over half a turn that is worth a flip: four points on a circle stay as they are.
+// An edge is flipped only if the sine of the excess of its opposite angles over pi exceeds this, so four
+// cocircular points stay as they are.
 constexpr double worthwhile_excess = 1e-9;
-// New triangles may stand at this cosine to each other whatever the old ones did.
+// The normals of the new triangles may always have this cosine, even if the old ones had a larger one.
 constexpr double harmless_fold_cosine = 0.8;
-// In space flips may run in circles; no edge is looked at more often on average.
+// Delaunay flips on a surface in space may cycle, so each edge is tested at most this often on average.
 constexpr int looks_per_edge = 10;
 
-/// Sine of alpha + beta, the angles opposite the edge ab in abc and bad: negative where the edge is not
-/// Delaunay.
+/// Sine of the sum of the angles opposite to the edge ab in the triangles abc and bad; negative if the edge
+/// is not Delaunay.
 double delaunay_sine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 ca = a - c, cb = b - c, da = a - d, db = b - d;
   const double sin_c = ca.cross(cb).norm(), cos_c = ca.dot(cb), sin_d = da.cross(db).norm(),

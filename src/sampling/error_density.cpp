@@ -11,7 +11,7 @@ namespace {
 
 constexpr int smoothing_rounds = 3;
 
-/// The grid as neighbours of its points: the next in row and column, round the torus.
+/// The neighbourhoods of the grid points: the next points in row and column, periodically.
 class GridNeighbours {
  public:
   explicit GridNeighbours(const TorusGrid& grid) : rows_(grid.rows), columns_(grid.columns) {}
@@ -37,7 +37,7 @@ class GridNeighbours {
   int rows_, columns_;
 };
 
-// At every point of the grid the largest error of the shape's vertices nearest to it.
+// For each grid point, the largest error of the shape's vertices that are nearest to it.
 std::vector<double> errors_on_grid(const RepresentedShape& shape, const GridNeighbours& grid,
                                    std::size_t points, const std::vector<std::array<int, 3>>& triangles) {
   const TriangleTree sampled(build_mesh({shape.landmarks, triangles}));

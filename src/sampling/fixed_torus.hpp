@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Torus positions in fixed point, so that orientation tests on the torus are exact.
+/// Torus positions in fixed-point arithmetic, so that orientation tests on the torus are exact.
 
 #include <cmath>
 #include <cstdint>
@@ -10,15 +10,16 @@
 
 namespace foramen::detail {
 
-/// Positions are multiples of 2^-40 turns, as those of quantised() are: 1e-10 mm on a vertebra.
+/// Positions are multiples of 2^-40 turns, like those of quantised() maps; this is about 1e-10 mm on a
+/// vertebra.
 inline constexpr int fixed_bits = 40;
 inline constexpr std::int64_t fixed_turn = std::int64_t{1} << fixed_bits;
-/// Beyond this many turns a double holds no multiples of 2^-40 any more.
+/// Beyond this many turns a double cannot represent all multiples of 2^-40 turns.
 inline constexpr double largest_turns = 4096;
 
 __extension__ typedef __int128 Int128;
 
-/// A place or a difference of places on the torus, multiples of 2^-40 turns.
+/// A position on the torus or a difference of positions, in multiples of 2^-40 turns.
 struct Fixed2 {
   std::int64_t x = 0, y = 0;
   friend constexpr Fixed2 operator+(Fixed2 a, Fixed2 b) { return {a.x + b.x, a.y + b.y}; }
@@ -43,7 +44,7 @@ inline Vec2 to_turns(Fixed2 p) {
   return {static_cast<double>(p.x) / scale, static_cast<double>(p.y) / scale};
 }
 
-/// The whole turns below a position: p - floor is in [0, 1)^2.
+/// The whole turns below a position, so that p - floor is in [0, 1)^2.
 inline Vec2i floor_turns(Fixed2 p) {
   return {static_cast<int>(p.x >> fixed_bits), static_cast<int>(p.y >> fixed_bits)};
 }

@@ -7,19 +7,20 @@
 namespace foramen::detail {
 namespace {
 
-// Triangles this round [radians, the mean over shapes of the smallest angle] are good enough whatever was
-// there before.
+// A repair may not lower the roundness (mean over shapes of the smallest angle, radians) of triangles, unless
+// it stays above this.
 constexpr double round_enough = 0.2;
-// Places tried for a corner: so far towards the mean of its neighbours, and so far towards each neighbour.
+// Positions tried for a corner: these fractions of the way to the mean of its neighbours, and this fraction
+// of the way to each neighbour.
 constexpr std::array centring_steps{1.0, 0.5};
 constexpr double neighbour_step = 0.3;
-// Stands for the moved or new landmark in the triangles of a candidate.
+// Index of the moved or new landmark in the triangles of a candidate.
 constexpr int new_place = -1;
 
 struct Candidate {
   Repair repair;
   std::vector<int> old_faces;
-  std::vector<std::array<int, 3>> triangles;  // corners; new_place is at `place`
+  std::vector<std::array<int, 3>> triangles;  // corners; new_place stands for the landmark at `place`
   Fixed2 place;
 };
 
@@ -62,7 +63,7 @@ class Search {
             mesh_.place(a) + centre};
   }
 
-  /// Empty triangles if the move would turn a triangle of the torus over.
+  /// A candidate that moves a landmark; it has no triangles if the move would flip a triangle of the torus.
   Candidate move(int v, Fixed2 by) const {
     const Fixed2 target = mesh_.place(v) + by;
     Candidate c{{RepairKind::move, v, target, {v}, {}, 0}, {}, {}, target};
@@ -95,7 +96,8 @@ class Search {
     return worst;
   }
 
-  /// Adds up the guilt until it reaches `limit`; the shapes where something is wrong now come first.
+  /// Sums the guilt of the new triangles over all shapes and stops when it reaches `limit`. Shapes with
+  /// guilty triangles come first, so that a bad candidate is rejected early.
   Value evaluate(const Candidate& c, const Guilt& limit) const {
     Value value;
     std::vector<double> roundness(c.triangles.size(), 0.0);
@@ -127,7 +129,7 @@ class Search {
             points(shape, corners, lifted)};
   }
 
-  /// How many triangles the k-th of a candidate would meet.
+  /// Number of triangles that the k-th triangle of a candidate would intersect.
   int meetings(int shape, const Candidate& c, std::size_t k, const Vec3& lifted) const {
     if (!lifted_.surface(shape)) return 0;
     const NumberedTriangle triangle = numbered(shape, c.triangles[k], lifted);
@@ -161,7 +163,7 @@ void take(Repair& best, const Candidate& c, const Value& value) {
   best.roundness = value.roundness;
 }
 
-/// Changes without a new landmark: each must lessen the guilt, and not buy that with slivers.
+/// The best change without a new landmark. It must lower the guilt and must not create slivers.
 Repair best_free_repair(const Search& search, const TorusTriangulation& mesh, int face) {
   Repair best;
   Guilt best_gain;
@@ -192,8 +194,8 @@ Repair best_free_repair(const Search& search, const TorusTriangulation& mesh, in
   return best;
 }
 
-/// A new landmark may leave as much guilt as there was, since finer triangles give the next round more
-/// freedom.
+/// The best change by a new landmark. It may leave the guilt as it was, since smaller triangles give the next
+/// round more freedom.
 Repair best_insertion(const Search& search, int face, bool must_help) {
   constexpr Guilt no_limit{std::numeric_limits<int>::max(), 0};
   Repair best;

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The local changes that may repair a guilty landmark triangle, and how good each would be.
+/// Local changes of the landmark triangulation that may repair a guilty triangle (defined at
+/// refine_landmarks()), and their evaluation.
 
 #include <compare>
 #include <vector>
@@ -9,10 +10,11 @@
 
 namespace foramen::detail {
 
-/// What is wrong with triangles. A flip outweighs any number of meetings.
+/// The defects of a set of triangles. In comparisons one flip outweighs any number of intersections.
 struct Guilt {
-  int flipped = 0;   ///< triangles that are flipped or degenerate
-  int meetings = 0;  ///< triangles met, so that a pair of guilty triangles counts twice
+  int flipped = 0;  ///< number of flipped or degenerate triangles
+  /// Number of triangles that they intersect, so an intersecting pair in the set counts twice.
+  int meetings = 0;
   friend auto operator<=>(const Guilt&, const Guilt&) = default;
 };
 
@@ -30,17 +32,18 @@ enum class RepairKind { none, flip, move, split_edge, split_face };
 struct Repair {
   RepairKind kind = RepairKind::none;
   int element = -1;          ///< halfedge (flip, split_edge), vertex (move) or face (split_face)
-  Fixed2 place;              ///< of the moved vertex
-  std::vector<int> support;  ///< vertices that must not have changed since
-  Guilt guilt_after;         ///< over the changed triangles and all shapes
+  Fixed2 place;              ///< new position of the moved vertex
+  std::vector<int> support;  ///< vertices that must not have changed since the repair was evaluated
+  Guilt guilt_after;         ///< guilt of the changed triangles over all shapes
   double roundness =
-      0;  ///< smallest over the changed triangles of the mean over shapes of its smallest angle
+      0;  ///< minimum over the changed triangles of the mean over shapes of the smallest angle, radians
 };
 
-/// `helpful`: a new landmark must leave no more guilt than there was; `any`: the least there can be.
+/// Whether a new landmark is allowed: with `helpful` if it does not raise the guilt, with `any` also
+/// otherwise.
 enum class Insertion { none, helpful, any };
 
-/// The best change at a guilty face; one without a new landmark is preferred. Reads only.
+/// The best change at a guilty face; changes without a new landmark are preferred. Modifies nothing.
 Repair best_repair(const TorusTriangulation& mesh, const LiftedLandmarks& lifted, const GuiltTable& guilt,
                    int face, Insertion insertion);
 

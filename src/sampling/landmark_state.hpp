@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Landmarks in the making: a triangulation of the torus and where its vertices stand on the dense surface.
+/// The state of remeshing: a triangulation of the torus and the positions of its vertices on the dense
+/// surface.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,7 +13,7 @@
 
 namespace foramen::detail {
 
-/// The surface landmarks live on, looked up by torus position.
+/// The dense surface, evaluated at torus positions.
 class DenseSurface {
  public:
   struct Sample {
@@ -34,7 +35,7 @@ class DenseSurface {
   TorusLocator locator_;
 };
 
-/// Per vertex slot of the triangulation.
+/// The triangulation with the surface point and density of each vertex slot.
 struct LandmarkState {
   TorusTriangulation mesh;
   std::vector<Vec3> point;
@@ -45,7 +46,8 @@ struct LandmarkState {
     point[v] = sample.point;
     density[v] = sample.density;
   }
-  /// Squared length of an edge where the wanted edge length is 1: density is samples per area.
+  /// Squared length of an edge in units of the wanted edge length, which follows from the density (samples
+  /// per area).
   double scaled_length2(int h) const {
     const int a = mesh.from(h), b = mesh.to(h);
     return (point[a] - point[b]).squaredNorm() * 0.5 * (density[a] + density[b]);

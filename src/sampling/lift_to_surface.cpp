@@ -17,14 +17,14 @@ using detail::fixed_bits;
 using detail::fixed_turn;
 using detail::Int128;
 
-// A bucket with more faces than this is divided, at most so many times in a row.
+// A cell with more faces than this is subdivided, to at most this depth.
 constexpr std::size_t crowded = 12;
 constexpr int deepest = 8;
-// It is divided only if its parts hold at most this share of its faces on average: round a vertex nothing is
-// won.
+// A cell is subdivided only if its parts have at most this share of its faces on average. Near a vertex,
+// where all parts have the same faces, a subdivision does not help.
 constexpr double least_thinning = 0.6;
 
-/// Cells a side (as a power of two) for about two faces a cell.
+/// Cells per side, as a power of two, for about two faces per cell.
 int side_bits(std::size_t faces) { return static_cast<int>(std::bit_width(faces / 2 + 1)) / 2; }
 
 template <class Place>
@@ -32,15 +32,15 @@ Fixed2 fixed(const Place& p) {
   return {p.x, p.y};
 }
 
-/// Whether a point at signed area `o` from the edge with direction d counts as inside: exactly on the edge,
-/// it is moved by (e, e^2), e -> 0, which changes the area by d.x e^2 - d.y e.
+/// Whether a point with orientation `o` relative to an edge of direction d counts as inside. A point exactly
+/// on the edge is shifted by (e, e^2) with e -> 0, which changes the orientation by d.x e^2 - d.y e.
 bool inside(Int128 o, Fixed2 d) {
   if (o != 0) return o > 0;
   return d.y != 0 ? d.y < 0 : d.x > 0;
 }
 
-/// Whether a positive triangle may touch a closed square whose box it touches: false if the square lies
-/// outside one edge.
+/// Whether a positively oriented triangle may touch a closed square that its bounding box touches; false if
+/// the square lies outside one of its edges.
 bool touches_square(const std::array<Fixed2, 3>& t, Fixed2 low, std::int64_t size) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Fixed2 a = t[k], d = t[(k + 1) % 3] - a;
@@ -104,7 +104,8 @@ TorusLocator::TorusLocator(const Mesh& mesh, const TorusMap& map) : mesh_(mesh) 
       for (int x = 0; x <= last.x(); ++x)
         entries.push_back({f.index, static_cast<std::int16_t>(x), static_cast<std::int16_t>(y)});
   }
-  // Positive triangles that cover the torus once in area cover every point once: the degree of the map.
+  // If all triangles are positive and their areas sum to that of the torus, the map has degree 1 and covers
+  // every point once.
   if (doubled_area != 2 * Int128{fixed_turn} * fixed_turn)
     throw InvalidInput("torus map: its triangles cover the torus " +
                        std::to_string(static_cast<double>(doubled_area) / 2 /

@@ -1,15 +1,15 @@
 #include "sampling/lifted_landmarks.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <algorithm>
 
 #include "core/parallel.hpp"
 #include "foramen/core/geometry.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen::detail {
 namespace {
 
-// As in sampled_flips(), which has the last word on what is guilty.
+// The same values as in sampled_flips(), which makes the final decision.
 constexpr double margin_per_edge = 0.25;
 constexpr double degenerate_height = 1e-12;
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Landmarks lifted to every shape, and which of their triangles are wrong there.
+/// Landmarks lifted to all shapes, and tests of their triangles on each shape.
 
 #include <optional>
 #include <span>
@@ -20,20 +20,21 @@ class LiftedLandmarks {
   int shapes() const { return static_cast<int>(shapes_.size()); }
   Vec3 lift(int shape, Fixed2 place) const;
   const Vec3& point(int shape, int vertex) const { return points_[shape][vertex]; }
-  /// Lifts a moved or new vertex again, to all shapes.
+  /// Lifts a moved or new vertex to all shapes.
   void update(int vertex, Fixed2 place);
   /// Whether a triangle is degenerate or confirmed-flipped on a shape (the definition of sampled_flips()).
   bool guilty(int shape, const std::array<Vec3, 3>& triangle) const;
-  /// The distance beyond the closest point within which a flip must be confirmed: 0.25 mean landmark edge.
+  /// Recomputes the margin within which a flip must be confirmed: 0.25 mean landmark edges beyond the closest
+  /// point, per shape.
   void measure_edges(const TorusTriangulation& mesh);
-  /// Keeps the corresponding mesh of a shape as it is now, for faces_met().
+  /// Stores the present landmark mesh of a shape for faces_met().
   void refresh_surface(int shape, const TorusTriangulation& mesh);
   void forget_surface(int shape) { surfaces_[shape].reset(); }
-  /// The mesh that is kept, if any.
+  /// The stored mesh; null if there is none.
   const TriangleTree* surface(int shape) const { return surfaces_[shape] ? &*surfaces_[shape] : nullptr; }
-  /// The faces of surface() that a triangle meets; none if there is no surface().
+  /// The faces of surface() that a triangle intersects; none if no mesh is stored.
   std::vector<FaceId> faces_met(int shape, const NumberedTriangle& triangle) const;
-  /// The corresponding mesh of a shape. \pre no vertex or face of `mesh` was removed.
+  /// The landmark mesh of a shape. \pre no vertex or face of `mesh` was removed
   Mesh corresponding(int shape, const TorusTriangulation& mesh) const;
 
  private:
@@ -43,7 +44,7 @@ class LiftedLandmarks {
   std::vector<std::optional<TriangleTree>> surfaces_;  // of each shape, as refreshed
 };
 
-/// Whether both triangles have area and meet.
+/// Whether the two triangles intersect and both have an area.
 bool meet(const NumberedTriangle& a, const NumberedTriangle& b);
 
 /// Smallest angle of a triangle, radians.

@@ -7,19 +7,19 @@
 namespace foramen::detail {
 namespace {
 
-// A move that would turn a triangle over is halved so many times before it is given up.
+// Number of times that a move that flips a triangle is halved before it is taken back.
 constexpr int halvings = 3;
 constexpr int landmarks_per_task = 256;
-// Moves go this many times as far as the centroid: half the rounds to the same quality. Beyond 2 nothing
-// settles.
+// Moves are this many times as long as the way to the centroid, which halves the number of rounds for the
+// same quality. With factors above 2 the iteration does not converge.
 constexpr double over_relaxation = 1.6;
 
-/// A landmark's neighbourhood, laid flat: the landmark at zero, neighbours at their distances, the angles
-/// between them scaled to a full turn.
+/// The one-ring of a landmark unfolded to the plane: the landmark is at 0, neighbours are at their distances,
+/// and the angles between them are scaled to sum to 2 pi.
 struct Unfolded {
-  std::vector<int> halfedges;   // out of the landmark, counter-clockwise
-  std::vector<Vec2> neighbour;  // of halfedge k; triangle k lies between k and k + 1
-  std::vector<double> weight;   // at the neighbours
+  std::vector<int> halfedges;   // outgoing halfedges of the landmark, counter-clockwise
+  std::vector<Vec2> neighbour;  // end of halfedge k; triangle k is between halfedges k and k + 1
+  std::vector<double> weight;   // weights at the neighbours
   double own_weight = 0;
 };
 
@@ -49,8 +49,8 @@ void unfold(const LandmarkState& s, int v, Unfolded& out) {
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The corner of the landmark's Voronoi cell in the triangle (0, a, b): its circumcentre, or where that lies
-/// outside, the middle of the longest side.
+/// The corner of the Voronoi cell of the landmark in the triangle (0, a, b): the circumcentre, or the
+/// midpoint of the longest side if the circumcentre lies outside.
 Vec2 cell_corner(const Vec2& a, const Vec2& b) {
   const double aa = a.squaredNorm(), bb = b.squaredNorm(), cc = (a - b).squaredNorm();
   if (aa >= bb + cc) return a / 2;
@@ -60,7 +60,7 @@ Vec2 cell_corner(const Vec2& a, const Vec2& b) {
   return Vec2(b.y() * aa - a.y() * bb, a.x() * bb - b.x() * aa) / twice;
 }
 
-/// Mass and first moment of polygons of linear weight, triangle by triangle from the origin.
+/// Mass and first moment of polygons with linear weight, accumulated over triangles.
 struct Moments {
   double mass = 0;
   Vec2 first = Vec2::Zero();
@@ -86,12 +86,13 @@ Vec2 cell_centroid(const Unfolded& ring) {
   return cell.mass > 0 ? Vec2(cell.first / cell.mass) : Vec2(Vec2::Zero());
 }
 
-/// Of a landmark, in multiples of 2^-40 turns.
+/// The displacement of a landmark, in multiples of 2^-40 turns.
 struct Move {
   Vec2 turns = Vec2::Zero();
 };
 
-/// The same place on the torus: linear inside the triangle of the one-ring that holds the target.
+/// The displacement on the torus that corresponds to a target in the unfolded one-ring, by linear
+/// interpolation in the triangle that contains the target.
 Move to_torus(const LandmarkState& s, const Unfolded& ring, const Vec2& target) {
   const std::size_t n = ring.neighbour.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -99,7 +100,7 @@ Move to_torus(const LandmarkState& s, const Unfolded& ring, const Vec2& target) 
     const double whole = cross2(a, b), to_a = cross2(target, b), to_b = cross2(a, target);
     if (!(whole > 0) || to_a < 0 || to_b < 0) continue;
     const double share_a = to_a / whole, share_b = to_b / whole;
-    if (share_a + share_b >= 1) return {};  // left its one-ring: stays
+    if (share_a + share_b >= 1) return {};  // the target is outside the one-ring: no displacement
     const Fixed2 pa = s.mesh.along(ring.halfedges[k]),
                  pb = -s.mesh.along(TorusTriangulation::prev(ring.halfedges[k]));
     const Vec2 fa(static_cast<double>(pa.x), static_cast<double>(pa.y)),
@@ -111,8 +112,8 @@ Move to_torus(const LandmarkState& s, const Unfolded& ring, const Vec2& target) 
 
 Fixed2 rounded(const Vec2& fixed) { return {std::llround(fixed.x()), std::llround(fixed.y())}; }
 
-/// Makes all moves; those round a triangle that would turn over are halved until none does. Back at zero all
-/// are positive, so this ends.
+/// Makes all moves. If a triangle flips, the moves of its corners are halved and finally taken back. Without
+/// moves all triangles are positive, so this terminates.
 void make_moves(TorusTriangulation& mesh, const std::vector<Move>& moves) {
   std::vector<Fixed2> old(moves.size());
   std::vector<int> taken_back(moves.size(), 0);

@@ -7,10 +7,10 @@
 
 namespace foramen::detail {
 
-/// One round: every landmark moves towards (and, over-relaxed, beyond) the centroid of its Voronoi cell in
-/// its unfolded one-ring, all from the old positions. Weighted by density^2, so that cells of equal mass end
-/// up `density` to the area (the Voronoi cells of weight w settle at sqrt(w) samples to the area). Moves that
-/// would turn a triangle of the torus over are halved, then taken back.
+/// One round of Lloyd relaxation. Every landmark moves towards the centroid of its Voronoi cell in its
+/// unfolded one-ring, with over-relaxation; all moves are computed from the old positions. The centroids are
+/// weighted by density^2, because Lloyd relaxation with weight w converges to a sampling density proportional
+/// to sqrt(w). Moves that would flip a triangle of the torus are halved and finally taken back.
 void lloyd_round(LandmarkState& landmarks, const DenseSurface& surface, const RunContext& ctx);
 
 }  // namespace foramen::detail

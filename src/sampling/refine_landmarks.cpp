@@ -1,10 +1,10 @@
 #include "sampling/refine_landmarks.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/landmark_repairs.hpp"
 #include "spatial/flips.hpp"
 #include "spatial/self_intersections.hpp"
@@ -17,11 +17,11 @@ using detail::GuiltTable;
 using detail::Repair;
 using detail::RepairKind;
 
-/// What is mended: flipped and degenerate triangles, or also triangles that meet.
+/// What is repaired: flipped and degenerate triangles only, or intersecting triangles as well.
 enum class Mending { flips, meetings };
 
-/// Whether triangles that meet count on a shape: if they should not, since its input does not meet itself.
-/// The input is looked at when it comes to that.
+/// Whether intersecting triangles count on a shape. They do if its input surface has no self-intersections,
+/// which is tested only when the first intersecting triangles are found (input_unknown).
 enum class Watch { off, input_unknown, on };
 
 class Refinement {
@@ -37,7 +37,8 @@ class Refinement {
     inspect_all();
   }
 
-  /// Every triangle of every shape, by the definitions that are reported.
+  /// Tests all triangles on all shapes by sampled_flips() and self_intersections(), which define the reported
+  /// numbers.
   void inspect_all() {
     lifted_.measure_edges(mesh_);
     parallel_for(lifted_.shapes(), ctx_, [&](int s) {
@@ -49,7 +50,7 @@ class Refinement {
     });
   }
 
-  /// Of all triangles on all shapes.
+  /// Guilt of all triangles on all shapes.
   Guilt guilt() const {
     Guilt sum;
     for (const auto& of_shape : guilt_)
@@ -66,7 +67,7 @@ class Refinement {
     return faces;
   }
 
-  /// One change at each of these faces, where possible. Returns the number of changes.
+  /// Makes one change at each of these faces if possible. Returns the number of changes.
   int repair(const std::vector<int>& faces, detail::Insertion insertion, int insertions_left,
              RefinedLandmarks& result) {
     std::vector<Repair> repairs(faces.size());
@@ -94,7 +95,8 @@ class Refinement {
   LandmarkMesh landmark_mesh() const { return mesh_.landmark_mesh(); }
 
  private:
-  /// Makes the change; returns a vertex whose faces include all changed ones, or -1 if it was impossible.
+  /// Makes a change. Returns a vertex whose faces include all changed faces, or -1 if the change is
+  /// impossible.
   int make(const Repair& r, RefinedLandmarks& result) {
     if (r.kind == RepairKind::flip) {
       if (!mesh_.can_flip(r.element)) return -1;
@@ -152,7 +154,7 @@ class Refinement {
   GuiltTable guilt_;
 };
 
-/// Rounds of changes until nothing is guilty or nothing helps; keeps the best state.
+/// Makes rounds of changes until no triangle is guilty or no change helps, and keeps the best state.
 void mend(RefinedLandmarks& best, std::span<const LandmarkShape> shapes, Mending mending, int budget,
           int round_limit, const RunContext& ctx) {
   using detail::Insertion;
@@ -161,7 +163,8 @@ void mend(RefinedLandmarks& best, std::span<const LandmarkShape> shapes, Mending
   if (mending == Mending::flips) best.initial = least.flipped;
   best.initial_self_intersections = least.meetings / 2;
   best.landmarks = state.landmark_mesh();
-  if (mending == Mending::meetings && least.meetings == 0) return;  // flips that are left had their rounds
+  // Remaining flips could not be repaired by earlier rounds.
+  if (mending == Mending::meetings && least.meetings == 0) return;
   RefinedLandmarks result = best;
   bool must_help = true;
   for (int round = 0; least != Guilt{} && round < round_limit; ++round) {
@@ -170,12 +173,13 @@ void mend(RefinedLandmarks& best, std::span<const LandmarkShape> shapes, Mending
     const Insertion insertion = left == 0 ? Insertion::none : must_help ? Insertion::helpful : Insertion::any;
     if (state.repair(state.guilty_faces(), insertion, left, result) == 0) {
       if (insertion != Insertion::helpful) break;
-      must_help = false;  // stuck: a landmark that does not help by itself may open a way
+      // No change helps: a new landmark that does not lower the guilt may make other changes possible.
+      must_help = false;
       continue;
     }
     must_help = true;
-    // The mean edge has changed a little since the last look at everything: the last word is
-    // sampled_flips()'s.
+    // The mean edge length has changed slightly since the last complete test, so all triangles are tested
+    // again by sampled_flips().
     if (state.guilt() == Guilt{}) state.inspect_all();
     const Guilt now = state.guilt();
     if (now >= least) continue;

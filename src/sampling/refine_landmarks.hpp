@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Repairs the landmark triangulation where a shape is thinner than its sampling.
+/// Repairs the landmark triangulation where its lifted triangles are flipped or intersect, for example on
+/// walls that are thinner than the distance of landmarks.
 
 #include <span>
 
@@ -12,37 +13,40 @@
 
 namespace foramen {
 
-/// A shape landmarks are lifted to: both of its input surface, in the same coordinates.
+/// A shape to which landmarks are lifted. Both members belong to its input surface, in the same coordinates.
 struct LandmarkShape {
   const TorusLocator* locator = nullptr;
   const TriangleTree* tree = nullptr;
 };
 
 struct RefineLandmarksOptions {
-  double budget = 0.05;  ///< At most budget * landmarks are inserted. >= 0.
-  int round_limit = 60;  ///< Rounds of changes; a round changes every guilty triangle at most once.
+  double budget = 0.05;  ///< At most this share of the number of landmarks is inserted. >= 0.
+  int round_limit = 60;  ///< Largest number of rounds; one round changes each guilty triangle at most once.
 };
 
 struct RefinedLandmarks {
-  LandmarkMesh landmarks;  ///< the given ones keep their numbers (some moved); inserted ones follow
-  int inserted = 0;        ///< landmarks
-  int flips = 0;           ///< of landmark edges
-  int moved = 0;           ///< moves of landmarks on the torus
-  int initial = 0;         ///< confirmed-flipped or degenerate lifted triangles at the start, over all shapes
-  int remaining = 0;       ///< at the end, by sampled_flips() on every shape: 0 is success
-  /// Pairs of triangles that meet, over all shapes whose input does not meet itself: once the flips are
-  /// mended, and at the end, by self_intersections() on every shape.
+  /// The given landmarks keep their indices, though some are moved; inserted ones follow.
+  LandmarkMesh landmarks;
+  int inserted = 0;   ///< number of inserted landmarks
+  int flips = 0;      ///< number of flipped landmark edges
+  int moved = 0;      ///< number of moves of landmarks on the torus
+  int initial = 0;    ///< flipped (confirmed) or degenerate lifted triangles at the start, over all shapes
+  int remaining = 0;  ///< the same at the end; 0: all were repaired
+  /// Pairs of intersecting triangles (self_intersections()) over all shapes whose input has no
+  /// self-intersections: after the repair of flips, and at the end.
   int initial_self_intersections = 0, remaining_self_intersections = 0;
 };
 
-/// A landmark triangle is guilty if it is confirmed-flipped or degenerate (sampled_flips()) on any shape
-/// after its corners are lifted to that shape's input; once these are mended, also if it meets another
-/// triangle on any shape whose input does not meet itself. Each is repaired by the change that leaves the
-/// fewest guilty triangles, and the fewest that meet others, on all shapes together: a flip of one of its
-/// edges, a move of one of its corners, or, if these do not help and the budget lasts, a landmark in the
-/// middle of an edge or of the triangle. All keep the landmarks an embedded triangulation of the torus. No
-/// pair of triangles is parted at the price of a flip. Changes are found in parallel and made in order of the
-/// triangles, so the result is the same for any number of threads.
+/// A landmark triangle is called guilty if, lifted to the input surface of some shape, it is degenerate or
+/// its flip is confirmed (see SampledFlips). After these triangles are repaired, a triangle is also guilty if
+/// it intersects another one on a shape whose input has no self-intersections.
+///
+/// A guilty triangle is repaired by the local change that leaves the fewest flipped triangles and then the
+/// fewest intersections over all shapes: a flip of one of its edges, a move of one of its corners, or, if
+/// these do not help and the budget allows it, a new landmark in the middle of an edge or of the triangle.
+/// All changes keep the landmarks an embedded triangulation of the torus. No intersection is removed at the
+/// cost of a flip. Changes are found in parallel and made in order of the triangles, so the result does not
+/// depend on the number of threads. Throws InvalidInput for a negative budget.
 RefinedLandmarks refine_landmarks(const LandmarkMesh& landmarks, std::span<const LandmarkShape> shapes,
                                   const RunContext& ctx, const RefineLandmarksOptions& options = {});
 

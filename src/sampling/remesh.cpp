@@ -20,7 +20,7 @@ void check(const Mesh& surface, const TorusMap& map, const VertexMap<double>& de
       throw InvalidInput("remesh: the density of vertex " + std::to_string(v.index) + " is not positive");
 }
 
-/// Without the slots of what was removed.
+/// The state without the slots of removed vertices and faces.
 detail::LandmarkState compacted(const detail::LandmarkState& all, const detail::DenseSurface& surface) {
   const LandmarkMesh live = all.mesh.landmark_mesh();
   detail::LandmarkState out{detail::TorusTriangulation(live.turns, live.triangles, live.jumps),

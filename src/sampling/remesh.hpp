@@ -14,19 +14,23 @@
 
 namespace foramen {
 
-/// Isotropic remeshing of the dense mean `surface` after \cite fuhrmann2010, in another order: halfedge
-/// collapses down to (or edge splits up to) exactly options.landmarks vertices, the edge that is shortest in
-/// the density's metric first; Delaunay flips; Lloyd relaxation weighted by density, each landmark moved
-/// within its one-ring and put back on the surface through the torus; Delaunay flips.
+/// Isotropic remeshing of the dense mean `surface` after \cite fuhrmann2010, with the steps in another order.
+/// First, halfedge collapses (or edge splits) lead to exactly options.landmarks vertices; the edge that is
+/// shortest (or longest) in the metric of the density comes first. After Delaunay flips follows Lloyd
+/// relaxation weighted by the density, in which each landmark moves within its one-ring and is projected to
+/// the surface through the torus. Delaunay flips come last again.
 ///
-/// Every landmark lies on the surface; the triangles are an embedded triangulation of the torus at every step
-/// (exactly, in steps of 2^-40 turns), no two edges join the same two landmarks, and the genus is kept. The
-/// same for any number of threads.
+/// Every landmark lies on the surface. After every step the triangles are an embedded triangulation of the
+/// torus, exactly for positions in multiples of 2^-40 turns, and no two edges join the same two landmarks.
+/// The result does not depend on the number of threads.
 ///
-/// \param density  samples per area up to a factor, per vertex of `surface`, > 0; see curvature_density()
+/// \param density  one value > 0 per vertex of `surface`, proportional to the number of samples per area; see
+/// curvature_density()
 ///
-/// Throws InvalidInput (an option out of its range: fewer than 16 landmarks cannot triangulate most tori
-/// without joining two of them twice; a density that is not positive; a map with flipped triangles) or ConvergenceError (the surface cannot be thinned out that far).
+/// Throws InvalidInput for options out of range, a density that is not positive and a map with flipped
+/// triangles. Fewer than 16 landmarks are out of range, because most tori have no triangulation with so few
+/// vertices in which no two edges join the same two. Throws ConvergenceError if no further vertex can be
+/// removed or added.
 LandmarkMesh remesh(const Mesh& surface, const TorusMap& map, const VertexMap<double>& density,
                     const RunContext& ctx, const RemeshOptions& options = {});
 

@@ -8,12 +8,14 @@
 namespace foramen::detail {
 namespace {
 
-// The share of vertices left by one stage: flips in between keep triangles round and valences low.
+// Share of the vertices that one stage leaves. Flips between the stages keep triangles round and valences
+// low.
 constexpr double stage_share = 0.7;
-// A collapse that would turn a triangle's normal by more than this cosine is put off.
+// A collapse is postponed if the cosine between the old and the new normal of a triangle is below this.
 constexpr double turned_normal_cosine = 0.2;
 
-/// An edge by its scaled length; equal lengths: by its vertices, so that the order is always the same.
+/// An edge, ordered by scaled length and, for equal lengths, by its vertices, so that the order is
+/// deterministic.
 struct Candidate {
   double length2;
   int from, to, halfedge;
@@ -49,7 +51,7 @@ bool turns_a_normal(const LandmarkState& s, int h) {
   return turned;
 }
 
-/// Collapses until `target` vertices are left or the queue is empty.
+/// Collapses edges until `target` vertices are left or the queue is empty.
 void collapse_stage(LandmarkState& s, int target, bool keep_normals) {
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue;
   const auto push = [&](int h) {
@@ -71,7 +73,7 @@ void collapse_stage(LandmarkState& s, int target, bool keep_normals) {
     const Candidate c = queue.top();
     queue.pop();
     if (!current(s, c)) continue;
-    // The end that stands in the denser crowd goes first.
+    // First tries to remove the end in the more crowded neighbourhood.
     const bool from_first = crowding(s, c.from) <= crowding(s, c.to);
     const int first = from_first ? c.halfedge : s.mesh.twin(c.halfedge);
     const int second = s.mesh.twin(first);
@@ -106,7 +108,8 @@ void fill_up(LandmarkState& s, int vertices, const DenseSurface& surface, const 
         edges.push_back({s.scaled_length2(h), s.mesh.from(h), s.mesh.to(h), h});
     std::sort(edges.begin(), edges.end(), std::greater<>());
     const int before = s.mesh.vertex_count();
-    // The longer half in one go; an edge whose triangles have changed since waits for the next round.
+    // Splits up to a quarter of the edges, the longest first, without sorting again. An edge whose length has
+    // changed meanwhile waits for the next round.
     for (std::size_t i = 0; i <= edges.size() / 4 && s.mesh.vertex_count() < vertices; ++i) {
       if (!current(s, edges[i])) continue;
       const int m = s.mesh.split_edge(edges[i].halfedge);

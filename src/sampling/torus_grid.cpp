@@ -10,7 +10,7 @@
 namespace foramen {
 namespace {
 
-// Fewer would join two points by two edges.
+// With fewer rows or columns two edges would join the same two points.
 constexpr int fewest_a_side = 3;
 
 /// A grid point that may lie one period beyond the last row or column.

@@ -1,8 +1,9 @@
 #include "sampling/torus_triangulation.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 #include <map>
+
+#include "foramen/sampling/landmark_mesh.hpp"
 
 namespace foramen::detail {
 
@@ -92,15 +93,15 @@ int TorusTriangulation::flip(int h) {
 bool TorusTriangulation::can_collapse(int h) const {
   const int u = from(h), w = to(h), c = apex(h), d = apex(twin_[h]);
   if (c == d) return false;
-  // Link condition: u and w have no common neighbours but the two apexes. (No boundary, and edges are
-  // unique.)
+  // Link condition: the only common neighbours of u and w are the two apexes. (There is no boundary, and no
+  // two edges join the same vertices.)
   bool other = false;
   for_each_outgoing(u, [&](int g) {
     const int x = to(g);
     if (x != w && x != c && x != d && adjacent(x, w)) other = true;
   });
   if (other || valence(c) <= 3 || valence(d) <= 3) return false;
-  // The faces of u that stay, with u moved to w.
+  // The remaining faces of u must be positive with u moved to w.
   const Fixed2 uw = along(h);
   bool positive = true;
   for_each_outgoing(u, [&](int g) {
@@ -149,7 +150,7 @@ int TorusTriangulation::split_edge(int h, double fraction) {
   const Vec2i jump_ab = jump_[h], jump_bc = jump_[bc], jump_ca = jump_[ca], jump_ad = jump_[ad_edge],
               jump_db = jump_[db];
   const int m =
-      add_vertex(place_[a] + am);  // in a's representative: no jump from a to m, jump_ab from m to b
+      add_vertex(place_[a] + am);  // relative to the position of a: no jump from a to m, jump_ab from m to b
   const int f = h / 3, g = t / 3, f2 = add_face(), g2 = add_face();
   const Vec2i zero = Vec2i::Zero();
   set_face(f, {a, m, c}, {zero, Vec2i(-jump_ca), jump_ca});

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A triangulation of the torus that can be changed: flips, collapses and splits, each only if every triangle
-/// keeps a positive area (exactly) and no two edges join the same two vertices.
+/// A mutable triangulation of the torus. Flips, collapses and splits are made only if all triangles keep
+/// positive areas (decided exactly) and no two edges join the same two vertices.
 
 #include <array>
 #include <vector>
@@ -13,8 +13,9 @@
 
 namespace foramen::detail {
 
-/// Halfedge 3f+k runs from corner k to corner k+1 of face f, as in Mesh; dead faces and vertices stay in
-/// place until landmark_mesh() leaves them out. Plain ints: nothing of this leaves the module.
+/// Halfedge 3f+k runs from corner k to corner k+1 of face f, as in Mesh. Removed faces and vertices keep
+/// their slots, and landmark_mesh() leaves them out. Ids are plain ints, since the class is private to this
+/// room.
 class TorusTriangulation {
  public:
   /// \pre closed, jumps consistent; positions within +-4096 turns.
@@ -53,26 +54,28 @@ class TorusTriangulation {
   }
 
   Fixed2 place(int v) const { return place_[v]; }
-  /// \pre the caller keeps all triangles positive in the end.
+  /// Sets the position of a vertex. \pre the caller ensures that all triangles are positive afterwards
   void set_place(int v, Fixed2 p) { place_[v] = p; }
-  /// From one end of a halfedge to the other, over the jump.
+  /// The vector along a halfedge, including its jump.
   Fixed2 along(int h) const { return place_[to(h)] + whole_turns(jump_[h]) - place_[from(h)]; }
   /// Twice the signed area on the torus, exactly.
   Int128 doubled_area(int f) const { return cross(along(3 * f), along(3 * f + 1)); }
 
   /// Whether the edge may be replaced by the other diagonal of its two triangles.
   bool can_flip(int h) const;
-  /// The halfedge that joins the two apexes: from apex(twin(h)) to apex(h), in h's old face. \pre can_flip(h)
+  /// Flips the edge and returns the new halfedge from apex(twin(h)) to apex(h), in the old face of h. \pre
+  /// can_flip(h)
   int flip(int h);
-  /// Whether from(h) may be moved onto to(h) and both triangles at the edge removed.
+  /// Whether from(h) may be merged into to(h) and the two triangles at the edge removed.
   bool can_collapse(int h) const;
   void collapse(int h);
-  /// A vertex at `fraction` of the edge; -1 if rounding leaves a triangle without area.
+  /// Inserts a vertex at `fraction` of the edge and returns it; -1 without change if rounding would give a
+  /// triangle of zero area.
   int split_edge(int h, double fraction = 0.5);
-  /// A vertex at the centroid of a face; -1 if it is too small to hold one.
+  /// Inserts a vertex at the centroid of a face and returns it; -1 without change if the face is too small.
   int split_face(int f);
 
-  /// Vertices and faces in the order of their slots, positions in [0, 1).
+  /// The triangulation without removed vertices and faces, in the order of slots, with positions in [0, 1).
   LandmarkMesh landmark_mesh() const;
 
  private:

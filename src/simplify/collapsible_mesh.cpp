@@ -33,7 +33,8 @@ bool CollapsibleMesh::link_condition(HalfedgeId h) {
   for (HalfedgeId k = rotated(back); k != back; k = rotated(k)) mark_[to(k)] = marks_;
   int common = 0;
   for (HalfedgeId k = rotated(h); k != h; k = rotated(k)) common += mark_[to(k)] == marks_;
-  // The two apexes are always common; in a tetrahedron they are all there is, and nothing would be left.
+  // The two apexes are always common neighbours. A tetrahedron satisfies the condition too, but its collapse
+  // would leave no surface.
   return common == 2 && apex(h) != apex(back) && vertex_count_ > 4;
 }
 
@@ -62,8 +63,7 @@ Collapse CollapsibleMesh::collapse(HalfedgeId h) {
     for (int& corner : triangles_[f.index])
       if (corner == removed.index) corner = kept.index;
 
-  // The two edges of a dropped face become one; what lies beyond them survives and starts at the three
-  // vertices.
+  // The two other edges of each dropped face become one edge. The halfedges on their outer sides survive.
   const HalfedgeId to_left = twin(Mesh::prev(h)), from_left = twin(Mesh::next(h));
   const HalfedgeId from_right = twin(Mesh::next(back)), to_right = twin(Mesh::prev(back));
   glue(to_left, from_left);

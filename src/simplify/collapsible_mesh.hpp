@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A closed triangle mesh that shrinks by halfedge collapses while its face ids stay.
+/// A closed triangle mesh that is simplified by halfedge collapses and keeps its face ids.
 
 #include <array>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace foramen {
 
-/// Halfedges are numbered as in Mesh (3f+k); those of dropped faces and removed vertices must not be used any
-/// more.
+/// Halfedges are numbered as in Mesh (3f+k). After a collapse the halfedges of dropped faces must not be
+/// used.
 class CollapsibleMesh {
  public:
   /// \pre closed
@@ -32,10 +32,10 @@ class CollapsibleMesh {
   /// All outgoing halfedges counter-clockwise from `first` on.
   void fan(HalfedgeId first, std::vector<HalfedgeId>& out) const;
 
-  /// Whether the ends have exactly two common neighbours: then, and only then, the collapse keeps the
-  /// topology and makes no second edge between two vertices.
+  /// Whether the two ends have exactly two common neighbours. If and only if this holds, the collapse
+  /// preserves the topology and creates no second edge between two vertices.
   bool link_condition(HalfedgeId h);
-  /// Moves from(h) into to(h). \pre link_condition(h)
+  /// Merges from(h) into to(h). \pre link_condition(h)
   Collapse collapse(HalfedgeId h);
 
  private:
@@ -45,7 +45,7 @@ class CollapsibleMesh {
   HalfedgeMap<HalfedgeId> twin_;
   VertexMap<HalfedgeId> outgoing_;
   VertexMap<int> valence_;
-  VertexMap<int> mark_;  // of link_condition(), the number of its call
+  VertexMap<int> mark_;  // for link_condition(): the number of the call that marked the vertex
   int marks_ = 0;
   int vertex_count_ = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Sums of weighted squared distances to planes and points (Garland and Heckbert 1997).
+/// Quadrics: weighted sums of squared distances to planes and points \cite garland1997.
 
 #include "foramen/core/mesh.hpp"
 

@@ -14,11 +14,12 @@
 namespace foramen {
 namespace {
 
-/// What a squared distance along the surface costs against one off it: keeps flat parts evenly covered.
+/// Weight of squared distances between points relative to squared distances to planes. It keeps the vertices
+/// evenly distributed on flat parts.
 constexpr double spread_weight = 0.03;
-/// How much 1/shape - 1 of the worst new triangle adds to the cost, in units of the error.
+/// Weight of the shape term: 1/shape - 1 of the worst new triangle times the error is added to the cost.
 constexpr double shape_weight = 1.0;
-/// No new triangle may be worse than this, unless the vertex has a worse one already.
+/// Smallest shape of a new triangle, unless the removed vertex already has a triangle of worse shape.
 constexpr double smallest_shape = 0.4;
 /// Cosine of the angle (60 degrees) by which a triangle may turn in one collapse.
 constexpr double smallest_cosine = 0.5;
@@ -43,8 +44,8 @@ Form form_of(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 struct Candidate {
   double error =
-      0;  ///< of the removed vertex's share of the surface, once it is represented by the kept vertex
-  double cost = 0;  ///< by how much that grows
+      0;  ///< error of the kept vertex for the part of the surface that the removed vertex represented
+  double cost = 0;  ///< growth of the error by the collapse
   HalfedgeId halfedge;
 };
 
@@ -52,13 +53,14 @@ struct QueueEntry {
   double cost;
   VertexId vertex;
   int version;
-  // std::priority_queue gives the largest first: the cheapest, among equals that of the smallest index.
+  // std::priority_queue returns the largest element first, so the order is reversed: the smallest cost is the
+  // largest element, and of equal costs the smallest index.
   friend bool operator<(const QueueEntry& a, const QueueEntry& b) {
     return a.cost != b.cost ? a.cost > b.cost : a.vertex > b.vertex;
   }
 };
 
-/// Holds for every vertex the collapse it would like best, cheapest first.
+/// Greedy simplification. A queue holds the best collapse of every vertex, cheapest first.
 class Simplifier {
  public:
   explicit Simplifier(const Mesh& mesh);
@@ -80,11 +82,12 @@ class Simplifier {
   std::vector<Vec3> points_;
   VertexMap<Quadric> quadrics_;
   FaceMap<Form> forms_;
-  VertexMap<int> versions_;  // an entry of the queue of an older version is void
+  VertexMap<int> versions_;  // queue entries of an older version are invalid
   VertexMap<HalfedgeId> favourite_;
   std::priority_queue<QueueEntry> queue_;
-  std::vector<HalfedgeId> fan_, ring_;  // scratch: the star being examined, the ring being updated
-  std::vector<Candidate> candidates_;   // scratch
+  // Scratch memory for the faces around one vertex and for its neighbours.
+  std::vector<HalfedgeId> fan_, ring_;
+  std::vector<Candidate> candidates_;  // scratch
 };
 
 Simplifier::Simplifier(const Mesh& mesh)
@@ -129,7 +132,7 @@ double Simplifier::worst_shape_before() const {
   return worst;
 }
 
-// Empty if a triangle would turn or become a sliver.
+// The shape of the worst new triangle; nullopt if a triangle would turn too far or become too bad.
 std::optional<double> Simplifier::worst_shape_after(HalfedgeId h, double worst_before) const {
   const Vec3& target = point(mesh_.to(h));
   const FaceId left = Mesh::face(h), right = Mesh::face(mesh_.twin(h));
@@ -166,7 +169,8 @@ std::optional<Candidate> Simplifier::best_candidate(VertexId v) {
   const double worst_before = worst_shape_before();
   std::optional<Candidate> best;
   for (Candidate c : candidates_) {
-    if (best && best->cost <= c.cost) break;  // shape only adds to the cost
+    // The shape term can only raise the cost, so later candidates are not cheaper.
+    if (best && best->cost <= c.cost) break;
     if (!keeps_valences(c.halfedge)) continue;
     const std::optional<double> shape = worst_shape_after(c.halfedge, worst_before);
     if (!shape) continue;
@@ -200,7 +204,8 @@ std::vector<Collapse> Simplifier::run(int target_vertices, const RunContext& ctx
     queue_.pop();
     if (!mesh_.alive(top.vertex) || top.version != versions_[top.vertex]) continue;
     const HalfedgeId h = favourite_[top.vertex];
-    // A change of the vertex's own star gives it a new version; the valences beyond change without.
+    // The version counts changes of the faces around the vertex only. Valences of neighbours and their
+    // connections may have changed without it.
     if (!keeps_valences(h) || !mesh_.link_condition(h)) {
       enqueue(top.vertex);
       continue;

@@ -13,10 +13,12 @@
 namespace foramen {
 namespace {
 
-// On a thin wall the closest point may be on the other side: input triangles this much farther are asked too.
+// Mean edge lengths. On a thin wall the closest point may lie on the other side of the wall, so input
+// triangles that are farther by this much are tested, too.
 constexpr double confirming_edges = 0.25;
 constexpr double degenerate_height = 1e-12;
-// Three corners are rounded, in three coordinates each: their errors add up to less than this many.
+// An upper bound of the error of a height, in rounding errors of one coordinate: three corners are rounded in
+// three coordinates each.
 constexpr double rounding_errors = 8;
 
 bool is_degenerate(const std::array<Vec3, 3>& t, double least_height_mm = 0) {
@@ -50,7 +52,7 @@ void require_same_triangles(const Mesh& corresponding, const Mesh& mean, const s
     throw InvalidInput(who + ": the two meshes have different triangles; both must come from one model");
 }
 
-/// Of every face, whether it opposes the others around its corners.
+/// For each face, whether its normal opposes the sum of the area vectors of the other faces at its corners.
 std::vector<char> opposing_surroundings(const Mesh& mesh) {
   VertexMap<Vec3> around(mesh.vertex_count(), Vec3::Zero());
   for (FaceId f : mesh.faces())

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The one place that knows nanoflann: nearest points in any dimension, ties by index.
+/// Nearest points in any dimension by nanoflann, which is used here only. Ties are broken by index.
 
 #include <algorithm>
 #include <array>
@@ -15,17 +15,17 @@
 
 namespace foramen::detail {
 
-/// Whether a comes before b among the neighbours of a point.
+/// Whether a precedes b in the list of the neighbours of a point.
 inline bool nearer(const NearPoint& a, const NearPoint& b) {
   return a.squared_distance < b.squared_distance ||
          (a.squared_distance == b.squared_distance && a.index < b.index);
 }
 
-/// The tree skips what is not nearer than this multiple of the worst kept distance. It is a little more than
-/// 1, so that points of equal distance all arrive, also where the tree's own sums round differently.
+/// nanoflann skips points beyond the worst distance found so far times this factor. The factor is slightly
+/// above 1, so that no point of equal distance is skipped when nanoflann rounds its sums differently.
 inline constexpr double tie_slack = 1 + 1e-12;
 
-/// What nanoflann calls a result set; keeps the `capacity` nearest, nearest first.
+/// A result set in the sense of nanoflann that keeps the `capacity` nearest points, nearest first.
 class Neighbours {
  public:
   using DistanceType = double;
@@ -43,7 +43,7 @@ class Neighbours {
     if (!full()) return std::numeric_limits<double>::infinity();
     return kept_.back().squared_distance * tie_slack + std::numeric_limits<double>::min();
   }
-  void sort() {}  // nanoflann asks for it since 1.6; these are always sorted
+  void sort() {}  // nanoflann calls it since version 1.6; the points are always sorted here
   std::vector<NearPoint> take() { return std::move(kept_); }
 
  private:
@@ -51,7 +51,7 @@ class Neighbours {
   std::vector<NearPoint> kept_;
 };
 
-/// The same for one neighbour, without memory of its own.
+/// The same for one neighbour, without dynamic memory.
 class NearestOnly {
  public:
   using DistanceType = double;

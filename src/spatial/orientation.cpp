@@ -8,8 +8,8 @@
 namespace foramen::detail {
 namespace {
 
-// Half the distance from 1 to the next double. With it the bounds of the rounding errors of both
-// determinants, as parts of the sums of their terms' absolute values [shewchuk1997].
+// Half the distance from 1 to the next double, and the bounds of the rounding errors of the two determinants,
+// relative to the sums of the absolute values of their terms [shewchuk1997].
 constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 constexpr double bound_in_space = (7 + 56 * unit_roundoff) * unit_roundoff;
 constexpr double bound_in_plane = (3 + 16 * unit_roundoff) * unit_roundoff;
@@ -29,8 +29,8 @@ TwoTerms exact_product(double a, double b) {
   return {product, std::fma(a, b, -product)};
 }
 
-/// A sum of at most `capacity` doubles, kept exactly: as terms of increasing size that do not overlap, so
-/// that the last has the sign of all (Shewchuk's GROW-EXPANSION, zeros left out).
+/// The exact sum of at most `capacity` doubles. It is stored as non-overlapping terms of increasing size, so
+/// the last term has the sign of the sum (GROW-EXPANSION without zero terms, Shewchuk 1997).
 template <std::size_t capacity>
 class ExactSum {
  public:
@@ -79,7 +79,8 @@ auto exact_difference(const Point& to, const Point& from) {
 
 int exact_orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const auto u = exact_difference(b, a), v = exact_difference(c, a), w = exact_difference(d, a);
-  ExactSum<6 * 8 * 4> determinant;  // permutations, heads and tails of three factors, terms of their product
+  // 6 permutations, 8 combinations of heads and tails of three factors, 4 terms of each product
+  ExactSum<6 * 8 * 4> determinant;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     for (const double x : u[i])

@@ -11,13 +11,14 @@
 
 namespace foramen {
 
+/// A point found by a search: its index and its squared distance in the metric of the search.
 struct NearPoint {
   int index = -1;
   double squared_distance = 0;
   double distance() const { return std::sqrt(squared_distance); }
 };
 
-/// Nearest points in space; equal distances: the smaller index.
+/// Nearest points in space. Of points at equal distances the one of smallest index comes first.
 class PointIndex {
  public:
   explicit PointIndex(std::span<const Vec3> points);
@@ -33,14 +34,15 @@ class PointIndex {
   std::unique_ptr<Impl> impl_;
 };
 
-/// mm per unit of normal difference: keeps a search on its own side of a vertebra's thin walls.
+/// Weight of normals for vertebrae: mm per unit of normal difference. It keeps a search on one side of the
+/// thin walls of a vertebra.
 inline constexpr double vertebra_normal_weight_mm = 8.0;
 
-/// Nearest points by position and normal together: distance^2 = |p - q|^2 + weight^2 |n - m|^2 (a 6-D
-/// search).
+/// Nearest points by position and normal, in the metric distance^2 = |p - q|^2 + weight^2 |n - m|^2 of a
+/// six-dimensional search.
 class OrientedPointIndex {
  public:
-  /// \param normal_weight  mm per unit of normal difference; 8 mm serves vertebrae
+  /// \param normal_weight  mm per unit of normal difference, e.g. vertebra_normal_weight_mm
   OrientedPointIndex(std::span<const Vec3> points, std::span<const Vec3> normals, double normal_weight);
   ~OrientedPointIndex();
   OrientedPointIndex(OrientedPointIndex&&) noexcept;

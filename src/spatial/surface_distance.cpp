@@ -11,7 +11,7 @@
 namespace foramen {
 namespace {
 
-// Uniform in a triangle.
+// Barycentric coordinates of a point that is uniformly distributed in a triangle.
 Vec3 random_barycentric(Rng& rng) {
   const double s = std::sqrt(rng.uniform()), t = rng.uniform();
   return {1 - s, s * (1 - t), s * t};
@@ -30,7 +30,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-// The smallest value that at least `share` of all do not exceed.
+// The smallest value that at least the fraction `share` of all values does not exceed.
 double percentile(std::vector<double> values, double share) {
   const double rank = std::ceil(share * static_cast<double>(values.size()));
   const auto nth = values.begin() + std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(rank) - 1);
@@ -38,7 +38,8 @@ double percentile(std::vector<double> values, double share) {
   return *nth;
 }
 
-// Raises `largest` to the largest distance of a vertex; most vertices only need to be shown to be nearer.
+// Returns the maximum of `largest` and the distances of all vertices of `from`. For most vertices the cheap
+// test any_within() shows that they are nearer than the maximum so far.
 double raised_by_vertices(const Mesh& from, const TriangleTree& to, double largest) {
   for (const Vec3& p : from.positions())
     if (!to.any_within(p, largest)) largest = std::max(largest, std::sqrt(to.closest(p).squared_distance));
@@ -62,8 +63,8 @@ std::vector<SurfacePoint> sample_surface(const Mesh& mesh, int count, const Rng&
   std::size_t face = 0;
   for (int i = 0; i < count; ++i) {
     const double target = total * ((i + draws.uniform()) / count);
-    // Strictly beyond the target, so that a face without area is never taken; rounding may leave none beyond
-    // it.
+    // Takes the first face whose accumulated area is strictly above the target, so a face of zero area is
+    // never taken. Rounding can put the target above the accumulated area of all faces.
     while (face < area_up_to.size() && area_up_to[face] <= target) ++face;
     if (face == area_up_to.size())
       face = static_cast<std::size_t>(std::lower_bound(area_up_to.begin(), area_up_to.end(), total) -
@@ -90,7 +91,7 @@ SurfaceDistance surface_distance(const TriangleTree& a, std::span<const SurfaceP
 
 SurfaceDistance surface_distance(const TriangleTree& a, const TriangleTree& b,
                                  const SurfaceDistanceOptions& options) {
-  // The same stream for both, so that exchanging the arguments changes nothing.
+  // Both surfaces are sampled with the same random stream, so the result is symmetric in the arguments.
   const Rng rng(options.seed);
   return surface_distance(a, sample_surface(a.mesh(), options.samples, rng), b,
                           sample_surface(b.mesh(), options.samples, rng));

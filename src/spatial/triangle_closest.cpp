@@ -8,9 +8,10 @@
 namespace foramen::detail {
 namespace {
 
-// Height over longest side below which a triangle is treated as a sliver. At this ratio the region tests
-// still keep 12 digits; below the square root of the rounding unit the two-dimensional solution below has
-// none left either, but there the edges are as close as the inside, to that relative precision.
+// Ratio of height to longest side below which a triangle is treated as a sliver. At this ratio the region
+// tests still have 12 correct digits. Below edge_like_height the two-dimensional solution for slivers is
+// inaccurate as well, but there some edge is as close as the interior to that relative precision, so only the
+// edges are searched.
 constexpr double sliver_height = 1e-2;
 constexpr double edge_like_height = 1e-10;
 
@@ -20,15 +21,16 @@ TrianglePoint nearer_of(const TrianglePoint& a, const TrianglePoint& b) {
   return b.squared_distance < a.squared_distance ? b : a;
 }
 
-// Parameter of the closest point on the segment p .. q; 0 if it has no length.
+// Parameter of the closest point on the segment p .. q; 0 if the segment has length zero.
 double along_segment(const Vec3& p, const Vec3& q, const Vec3& query) {
   const Vec3 side = q - p;
   const double length2 = side.squaredNorm();
   return length2 > 0 ? std::clamp(side.dot(query - p) / length2, 0.0, 1.0) : 0.0;
 }
 
-// The projection onto the triangle's plane, if it falls inside, in an orthogonal frame on the longest side:
-// well conditioned where the sides' own Gram matrix is not.
+// The projection of the query onto the plane of the triangle, if it falls inside. It is computed in an
+// orthogonal frame along the longest side, which is well conditioned even if the Gram matrix of two sides is
+// not.
 TrianglePoint inside(const std::array<Vec3, 3>& t, const Vec3& query) {
   std::size_t k = 0;
   for (std::size_t i = 1; i < 3; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The closest point of one triangle: the innermost loop of every surface query.
+/// The closest point on one triangle. It is the innermost loop of every surface query, hence inline.
 
 #include <algorithm>
 #include <array>
@@ -24,9 +24,10 @@ inline TrianglePoint at(const std::array<Vec3, 3>& t, const Vec3& query, double 
   return {v, w, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]};
 }
 
-/// Whether a height of the triangle is so small against its longest side that region tests lose digits.
+/// Whether a height of the triangle is so small relative to its longest side that the region tests lose
+/// digits.
 bool is_sliver(const std::array<Vec3, 3>& t);
-/// Slower, accurate for any triangle, degenerate ones included.
+/// Slower than closest_on_regular(), but accurate for every triangle including degenerate ones.
 TrianglePoint closest_on_sliver(const std::array<Vec3, 3>& t, const Vec3& query);
 
 /// By the Voronoi regions of corners, edges and face (Ericson, Real-Time Collision Detection, 5.1.5).

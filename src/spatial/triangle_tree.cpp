@@ -13,10 +13,10 @@ namespace {
 
 using Floats = Eigen::Array4f;
 
-// Box distances are sums of three squares in single precision: at most 5 roundings, 3e-7 relative. Boxes
-// beyond the bound by less than this factor are looked at.
+// Squared box distances are sums of three squares in single precision with at most 5 roundings, a relative
+// error of 3e-7. Boxes beyond the bound by less than this factor are still searched.
 constexpr double box_slack = 1 + 2e-6;
-// Moves a float past its rounding error.
+// Relative shift by which rounded floats are moved outward.
 constexpr float float_slack = 2 * std::numeric_limits<float>::epsilon();
 constexpr float cosine_slack = 1e-5f;
 
@@ -42,7 +42,7 @@ ClosestPoint closest_point(const std::array<Vec3, 3>& t, const detail::TriangleP
           p.squared_distance};
 }
 
-// The best triangle so far: nearer, or equally near and of smaller index.
+// The best triangle so far: the nearest, and of equally near ones that of the smallest index.
 struct Best {
   double squared_distance;
   int face = -1, slot = -1;
@@ -63,7 +63,7 @@ ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3
   return closest_point(triangle, closest_on(triangle, detail::is_sliver(triangle), query), FaceId());
 }
 
-// A point or a box in the coordinates of the tree's boxes, rounded outward, in four lanes.
+// A point or a box in the coordinates of the tree, rounded outward and repeated in four SIMD lanes.
 struct TriangleTree::Query {
   std::array<Floats, 3> up, down;
   Query(const Vec3& point, const Vec3& origin) : Query(BoundingBox{point, point}, origin) {}
@@ -94,8 +94,9 @@ struct TriangleTree::Query {
   }
 };
 
-// Nearest boxes first. `prune(node, distances)` may turn distances into NaN, which are not followed;
-// `visit(slot)` sees single triangles, may lower `bound` (a squared distance) and returns true to stop.
+// Visits the boxes in order of distance. `prune(node, distances)` excludes children by setting their
+// distances to NaN. `visit(slot)` is called for each triangle; it may lower `bound` (a squared distance) and
+// returns true to stop the search.
 template <class Prune, class Visit>
 void TriangleTree::traverse(const Query& query, const double& bound, const Prune& prune,
                             const Visit& visit) const {
@@ -198,7 +199,7 @@ std::vector<FaceId> TriangleTree::faces_within(const Vec3& query, double radius)
   return faces;
 }
 
-// Descends on both sides of a pair at once.
+// Finds overlapping boxes by descending into both nodes of a pair.
 struct TriangleTree::Overlaps {
   const TriangleTree& tree;
   const std::function<void(FaceId, FaceId)>& visit;
@@ -239,7 +240,7 @@ struct TriangleTree::Overlaps {
     for (std::size_t k = 0; k < 4; ++k) below(b, Query(node(a), k), node(a).child[k]);
   }
 
-  // The pairs of `other`, whose box is the query, with the children of a node.
+  // Finds the overlaps of the child `other`, whose box is the query, with the children of a node.
   void below(int inner, const Query& query, int other) const {
     const Node& n = node(inner);
     const Floats distances = query.squared_distances(n);

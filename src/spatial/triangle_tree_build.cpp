@@ -14,8 +14,8 @@ namespace foramen {
 namespace {
 
 constexpr int bin_count = 16;
-// From this depth on ranges are halved, which bounds the depth (and so the stack of a query) whatever the
-// input.
+// From this depth on ranges are halved. This bounds the depth of the tree, and with it the stack of a query,
+// for every input.
 constexpr int halving_depth = 32;
 
 struct Box {
@@ -54,7 +54,8 @@ float rounded_up(double x) {
 
 }  // namespace
 
-// Binary splits by the surface area heuristic over bins (Wald 2007), gathered four to a node.
+// Builds the tree by binary splits with the binned surface area heuristic (Wald 2007) and combines them to
+// nodes of four children.
 struct TriangleTree::Builder {
   TriangleTree& tree;
   std::vector<Box> boxes;
@@ -121,7 +122,7 @@ struct TriangleTree::Builder {
     return position;
   }
 
-  // The bin before which to cut: smallest sum of count times area of both sides.
+  // The bin before which to split: the sum over both sides of number of triangles times box area is smallest.
   template <class BinOf>
   int best_cut(const Range& range, const BinOf& bin_of) {
     std::array<Box, bin_count> bins;
@@ -131,7 +132,7 @@ struct TriangleTree::Builder {
       bins[b].add(box(i));
       ++counts[b];
     }
-    // The first and the last bin hold the outermost centres, so neither side of a cut is ever empty.
+    // The first and the last bin contain the outermost centres, so neither side of a split is empty.
     std::array<double, bin_count> cost{};
     Box side;
     int in_side = 0;
@@ -179,7 +180,7 @@ void TriangleTree::refit(const Mesh& mesh) {
   refresh();
 }
 
-// Everything that depends on positions.
+// Computes everything that depends on vertex positions: boxes, normals and slivers.
 void TriangleTree::refresh() {
   const std::size_t count = order_.size();
   const bool with_normals = kept_normals_ == TreeNormals::kept;
@@ -196,7 +197,7 @@ void TriangleTree::refresh() {
   if (count == 0) return;
   const BoundingBox whole = bounding_box(mesh_.positions());
   origin_ = 0.5 * (whole.low + whole.high);
-  // What the subtraction of the origin may round away.
+  // An upper bound of the rounding error of the subtraction of the origin.
   const double rounding = 4 * std::numeric_limits<double>::epsilon() *
                           std::max(whole.low.cwiseAbs().maxCoeff(), whole.high.cwiseAbs().maxCoeff());
 

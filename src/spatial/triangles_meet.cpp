@@ -22,8 +22,8 @@ Triangle2 without(int axis, const Triangle3& t) {
 
 int turn(const Triangle2& t) { return orientation(t[0], t[1], t[2]); }
 
-/// A coordinate that the points of the triangle's plane may lose without two of them becoming one. None if
-/// the triangle has no area.
+/// A coordinate axis along which the plane of the triangle projects one to one; nullopt if the triangle has
+/// zero area.
 std::optional<int> dispensable_axis(const Triangle3& t) {
   for (int axis = 0; axis < axes; ++axis)
     if (turn(without(axis, t)) != 0) return axis;
@@ -64,7 +64,7 @@ bool meet(const Segment2& s, const Triangle2& t) {
 
 struct Segment3 {
   Vec3 from, to;
-  int from_side, to_side;  // of the triangle's plane
+  int from_side, to_side;  // sides of the plane of the triangle on which the ends lie
 };
 
 /// \pre the triangle has area, the ends of the segment differ
@@ -74,8 +74,8 @@ bool meet(const Segment3& s, const Triangle3& t) {
     const int axis = dispensable_axis(t).value();
     return meet(Segment2{without(axis, s.from), without(axis, s.to)}, without(axis, t));
   }
-  // The segment's line crosses the plane, within the segment: inside the triangle if it passes all edges
-  // alike.
+  // The segment crosses the plane. The crossing lies in the triangle if the line passes all three edges on
+  // the same side.
   const int a = orientation(s.from, s.to, t[0], t[1]), b = orientation(s.from, s.to, t[1], t[2]);
   if (same_strict_side(a, -b)) return false;
   const int c = orientation(s.from, s.to, t[2], t[0]);
@@ -90,7 +90,7 @@ Sides sides(const Triangle3& plane, const Triangle3& corners) {
 
 bool apart(const Sides& s) { return same_strict_side(s[0], s[1]) && same_strict_side(s[1], s[2]); }
 
-/// \param of_edges  sides of the corners of `edges`, of the plane of `face`
+/// \param of_edges  on which sides of the plane of `face` the corners of `edges` lie
 bool any_edge_meets(const Triangle3& edges, const Sides& of_edges, const Triangle3& face) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -99,7 +99,8 @@ bool any_edge_meets(const Triangle3& edges, const Sides& of_edges, const Triangl
   return false;
 }
 
-/// Strangers: where they have a point in common, an edge of one meets the other.
+/// For triangles without a common vertex. If they have a common point, an edge of one of them meets the
+/// other.
 bool have_common_point(const Triangle3& a, const Triangle3& b) {
   const Sides of_b = sides(a, b);
   if (apart(of_b)) return false;
@@ -107,8 +108,8 @@ bool have_common_point(const Triangle3& a, const Triangle3& b) {
   return !apart(of_a) && (any_edge_meets(a, of_a, b) || any_edge_meets(b, of_b, a));
 }
 
-/// Neighbours about corner 0 of both: a ray from there that runs in both triangles first leaves one of them
-/// through the edge opposite, so that edge has a point of the other.
+/// For triangles that share corner 0. A ray from this corner that runs in both triangles leaves one of them
+/// first, through the opposite edge, so that edge meets the other triangle.
 bool meet_beyond_vertex(const Triangle3& a, const Triangle3& b) {
   const Segment3 opposite_a{a[1], a[2], side(b, a[1]), side(b, a[2])};
   if (same_strict_side(opposite_a.from_side, opposite_a.to_side)) return false;
@@ -116,8 +117,8 @@ bool meet_beyond_vertex(const Triangle3& a, const Triangle3& b) {
   return meet(opposite_a, b) || meet(opposite_b, a);
 }
 
-/// Neighbours along the edge from corner 1 to corner 2 of `a`, the third corner of the other one being
-/// `other`.
+/// For triangles that share the edge from corner 1 to corner 2 of `a`; `other` is the third corner of the
+/// second triangle.
 bool fold_onto_each_other(const Triangle3& a, const Vec3& other) {
   if (side(a, other) != 0) return false;
   const int axis = dispensable_axis(a).value();
@@ -125,10 +126,10 @@ bool fold_onto_each_other(const Triangle3& a, const Vec3& other) {
   return turn(here) == turn({without(axis, other), here[1], here[2]});
 }
 
-/// Corners of two triangles that are the same vertex.
+/// The vertices that two triangles share.
 struct SharedCorners {
   int count = 0;
-  int in_a = 0, in_b = 0;  // sums of the corners that are shared
+  int in_a = 0, in_b = 0;  // sums of the corner numbers of the shared vertices
 };
 
 SharedCorners shared_corners(const std::array<VertexId, 3>& a, const std::array<VertexId, 3>& b) {

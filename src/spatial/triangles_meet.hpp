@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Whether two triangles of one surface meet.
+/// Exact intersection test of two triangles of one surface.
 
 #include <array>
 
@@ -8,7 +8,7 @@
 
 namespace foramen {
 
-/// Corners of equal number are the same vertex.
+/// A triangle with the ids of its vertices. Corners with equal ids are the same vertex.
 struct NumberedTriangle {
   std::array<VertexId, 3> corners;
   std::array<Vec3, 3> points;
@@ -18,8 +18,8 @@ inline NumberedTriangle numbered_triangle(const Mesh& mesh, FaceId f) {
   return {mesh.corners(f), mesh.triangle(f)};
 }
 
-/// Whether two triangles have a point in common beyond what they share as neighbours: the definition of
-/// self_intersections(), exact. \pre both have area, by has_area()
+/// Whether two triangles intersect by the definition of self_intersections(), decided exactly. \pre both have
+/// area, by has_area()
 bool triangles_meet(const NumberedTriangle& a, const NumberedTriangle& b);
 
 /// Whether the corners are not exactly on one line.

@@ -1,15 +1,15 @@
 #include "foramen/stages/build_model.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <chrono>
 
 #include "core/freed_memory.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 namespace foramen {
 namespace {
 
-// Runs one stage, adds how long it took, and holds no memory that it has freed.
+// Runs one stage, adds its time to `seconds` and returns freed memory to the system.
 template <class Stage>
 auto timed(double& seconds, const Stage& stage) {
   const auto start = std::chrono::steady_clock::now();

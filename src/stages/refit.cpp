@@ -4,10 +4,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/kept_results.hpp"
 #include "core/parallel.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/stage_store.hpp"
-#include "stages/model_archive.hpp"
+#include "model/model_archive.hpp"
+#include "stages/refit_archive.hpp"
 
 namespace foramen {
 namespace {
@@ -16,11 +17,11 @@ bool contains(const std::vector<int>& group, int shape) {
   return std::find(group.begin(), group.end(), shape) != group.end();
 }
 
-/// What a build without a group of shapes says of them.
+/// The results of a build without a group of shapes.
 struct RefittedGroup {
   std::vector<std::optional<std::vector<Vec3>>> landmarks;  // one per shape of the group; unset: failed
   std::vector<RefitGeneralization::Failure> failures;
-  std::optional<AlignedModel> model;  // that has not seen them; unset: the build failed
+  std::optional<AlignedModel> model;  // the model without these shapes; unset: the build failed
 };
 
 template <class Archive>
@@ -48,7 +49,8 @@ class Refit {
     for (const Shape& shape : shapes_) of_shapes.emplace_back(ctx_, "shape", shape.name, shape.mesh);
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       ctx_.step("refit", static_cast<double>(g) / static_cast<double>(groups_.size()));
-      // The stages of the builds would be told, and kept, as if the whole began anew.
+      // The stages of these builds neither report progress nor use the store, because they would appear as a
+      // new run of the whole.
       const RunContext inner = ctx_.without_progress().with_store(nullptr);
       const StageKey key(ctx_, "refit", of_shapes, groups_[g], group_names_[g], options_, measure_);
       refitted_.push_back(kept<RefittedGroup>(ctx_, key, [&] { return leave_out(g, inner); }));
@@ -71,7 +73,7 @@ class Refit {
     try {
       BuiltModel without = build_without(shapes_, group, options_, ctx);
       for (const FailedShape& other : without.registration.failed)
-        result.failures.push_back({other.name, group_names_[g], other.reason});
+        result.failures.push_back({other.name, group_names_[g], other.reason.text});
       const RunContext single = ctx.with_threads(1);
       parallel_for(static_cast<int>(group.size()), ctx, [&](int i) {
         const std::size_t k = i;
@@ -97,14 +99,14 @@ class Refit {
 
   const Mesh& surface(int shape) const { return shapes_[shape].mesh; }
 
-  /// One shape that was left out, and the model that has not seen it.
+  /// A shape that was left out, and the model without it.
   struct Entered {
     int shape = 0;
     const std::vector<Vec3>* landmarks = nullptr;
     const AlignedModel* model = nullptr;
   };
 
-  /// In the order of the shapes.
+  /// All shapes that were registered, in the order of the shapes.
   std::vector<Entered> entered() const {
     std::vector<Entered> all;
     for (std::size_t g = 0; g < groups_.size(); ++g)

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What an entry begins with: whose it is, and the checksum of the rest.
+// The header of an entry: its key and the checksum of the rest.
 std::string header(const std::string& key, std::string_view bytes) {
   return "foramen stage\n" + key + "\n" + sha256(bytes) + "\n";
 }
@@ -57,7 +57,7 @@ void FolderStore::keep(const std::string& key, std::string_view bytes) {
   } catch (const IoError& e) {
     if (!keeping_.exchange(false)) return;
     note(std::string("finished stages are not kept, so that this build could not be resumed: ") + e.what());
-    // On a full disk the model needs the room.
+    // The disk may be full, and the model files need the space.
     if (use_ == Use::alone) fs::remove_all(folder_, failed);
   }
 }

@@ -16,9 +16,9 @@ constexpr double newton_tolerance_mm = 1e-11;
 constexpr int newton_steps = 30;
 constexpr double split_ratio = 4.0 / 3.0, collapse_ratio = 4.0 / 5.0;  // [botsch2004]
 constexpr double least_facing_cosine =
-    0.2;  // of a triangle's normal and the surface's, for a triangle we make
+    0.2;  // least cosine between the normal of a new triangle and that of the surface
 constexpr double smoothing_step = 0.6;
-constexpr int least_valence = 4;  // what a collapse or flip must leave
+constexpr int least_valence = 4;  // least valence that a collapse or flip may leave
 
 double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
   const Vec3 u = a - apex, v = b - apex;
@@ -26,7 +26,7 @@ double cotangent(const Vec3& apex, const Vec3& a, const Vec3& b) {
   return sine > 0 ? u.dot(v) / sine : std::copysign(std::numeric_limits<double>::infinity(), u.dot(v));
 }
 
-// Cosine of the angle between a triangle's normal and a direction; 0 for a triangle without area.
+// Cosine of the angle between the normal of a triangle and a direction; 0 for a triangle of zero area.
 double facing_cosine(const std::array<Vec3, 3>& triangle, const Vec3& direction) {
   return unit_normal(triangle).dot(direction) / direction.norm();
 }
@@ -174,7 +174,7 @@ bool ImplicitRemesher::collapse(int a, int b, double longest_allowed) {
   if (static_cast<int>(star_[e.above].size()) <= least_valence ||
       static_cast<int>(star_[e.below].size()) <= least_valence)
     return false;
-  // The link condition: only the two opposite corners may be neighbours of both ends.
+  // Link condition: the only common neighbours of the two ends are the two opposite corners.
   const std::vector<int> of_a = neighbours(a), of_b = neighbours(b);
   std::vector<int> common;
   std::ranges::set_intersection(of_a, of_b, std::back_inserter(common));
@@ -209,7 +209,7 @@ bool ImplicitRemesher::split(int a, int b) {
   points_.push_back(middle.point);
   normals_.push_back(middle.normal);
   star_.emplace_back();
-  // The old faces keep a, two new ones take b.
+  // The old faces keep a; two new faces get b.
   for (const auto& [face, apex, ahead] :
        {std::tuple(e.left, e.above, true), std::tuple(e.right, e.below, false)}) {
     detach(face, b);
@@ -244,12 +244,12 @@ bool ImplicitRemesher::flip(int a, int b) {
 }
 
 void ImplicitRemesher::flip_all() {
-  constexpr double tie = 1e-9;  // on a rectangle both diagonals are as good
+  constexpr double tie = 1e-9;  // both diagonals of a rectangle are equally good
   for (const Edge& edge : edges(0, std::numeric_limits<double>::infinity())) {
     const EdgeFaces e = edge_faces(edge.a, edge.b);
     if (e.left < 0 || e.right < 0) continue;
     const Vec3 &a = points_[edge.a], &b = points_[edge.b];
-    // Delaunay: the angles opposite to the edge must not sum to more than two right angles.
+    // Delaunay condition: the angles opposite to the edge sum to at most pi.
     if (cotangent(points_[e.above], a, b) + cotangent(points_[e.below], a, b) < -tie) flip(edge.a, edge.b);
   }
 }
@@ -299,7 +299,7 @@ void ImplicitRemesher::adjust_vertex_count(int target) {
   bool progress = true;
   while (vertex_count_ != target && progress) {
     progress = false;
-    // Not all the way with one list: lengths change as edges go.
+    // Edges are processed in batches, because lengths change as edges are removed or split.
     constexpr int smallest_batch = 20;
     const int missing = std::abs(vertex_count_ - target);
     const int batch = std::min(missing, std::max(smallest_batch, missing / 3));

@@ -19,8 +19,8 @@ void require(bool fine, const std::string& message) {
   if (!fine) throw InvalidInput("isosurface: " + message);
 }
 
-// Edge of the equilateral triangles of which 2 per vertex make up the area (a torus has F = 2 V, others
-// nearly).
+// Edge length of equilateral triangles that cover the area with two triangles per vertex (F = 2 V on a torus
+// and nearly so on other surfaces).
 double edge_length_for(double area, int vertices) {
   return std::sqrt(2 * area / (std::sqrt(3.0) * vertices));
 }

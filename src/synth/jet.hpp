@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A number together with its gradient in space: forward differentiation of the implicit functions.
+/// Forward-mode automatic differentiation: a number together with its gradient in space.
 
 #include <cmath>
 
@@ -30,7 +30,7 @@ inline Jet operator-(double a, const Jet& b) { return {a - b.value, -b.gradient}
 inline Jet operator*(double a, const Jet& b) { return {a * b.value, a * b.gradient}; }
 inline Jet operator/(const Jet& a, double b) { return (1 / b) * a; }
 
-/// g(a) for a function g with derivative `slope` there.
+/// The chain rule: g(a) for a function g with value `value` and derivative `slope` at a.value.
 inline Jet chain(double value, double slope, const Jet& a) { return {value, slope * a.gradient}; }
 inline Jet exp(const Jet& a) {
   const double e = std::exp(a.value);

@@ -9,8 +9,8 @@
 namespace foramen::synth {
 namespace {
 
-// Points 2 i + 1 per cube of side s are kept in half-steps of s: corners have even, cube centres odd
-// coordinates.
+// Integer coordinates of a lattice point in half-steps of the cube side: cube corners have even coordinates
+// and cube centres odd ones.
 using LatticePoint = std::array<int, 3>;
 
 class Lattice {
@@ -27,7 +27,7 @@ class Lattice {
       high = high.cwiseMax(inverse * p);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      // One cube of margin: the outermost points lie outside the bounds.
+      // One cube of margin, so that the outermost points are outside the bounds.
       first_[k] = static_cast<int>(std::floor(low[static_cast<int>(k)] / spacing)) - 1;
       cubes_[k] = static_cast<int>(std::ceil(high[static_cast<int>(k)] / spacing)) + 1 - first_[k];
     }
@@ -42,7 +42,7 @@ class Lattice {
     return pose_ * local;
   }
   bool inside(const LatticePoint& p) const { return inside_[index(p)] != 0; }
-  /// A number of its own for every lattice point; corners come before centres.
+  /// A unique index for every lattice point; corners come before centres.
   std::int64_t index(const LatticePoint& p) const {
     const std::int64_t within =
         (std::int64_t{p[2] / 2} * (cubes_[1] + 1) + p[1] / 2) * (cubes_[0] + 1) + p[0] / 2;
@@ -100,7 +100,7 @@ class Marcher {
   static constexpr double least_share = 0.1;
   struct Cut {
     int vertex;
-    Vec3 middle;   // of the lattice edge: these never make a degenerate triangle
+    Vec3 middle;   // midpoint of the lattice edge; triangles of midpoints are never degenerate
     Vec3 outward;  // along the lattice edge
   };
 
@@ -110,7 +110,8 @@ class Marcher {
                                                              static_cast<int>(soup_.points.size()));
     if (is_new) {
       const double a = lattice_.value(in), b = lattice_.value(out);
-      // Not at the end itself: where the surface meets a lattice point, its edges would all be cut there.
+      // The vertex is kept away from the ends of the edge. Otherwise, if the surface passes through a lattice
+      // point, all edges of the point would be cut at the same position.
       soup_.points.push_back(p + std::clamp(a / (a - b), least_share, 1 - least_share) * (q - p));
     }
     return {place->second, 0.5 * (p + q), q - p};
@@ -135,8 +136,8 @@ class Marcher {
   std::unordered_map<std::pair<std::int64_t, std::int64_t>, int, EdgeHash> vertex_of_edge_;
 };
 
-// The four tetrahedra about the segment from a cube's centre to the next centre along an axis: each has that
-// segment and one side of the square face between the two cubes.
+// Marches the four tetrahedra around the segment between the centres of two cubes that are adjacent along an
+// axis. Each tetrahedron consists of this segment and one side of the square face between the cubes.
 void march_face(const Lattice& lattice, const LatticePoint& centre, std::size_t axis, Marcher& marcher) {
   LatticePoint next = centre;
   next[axis] += 2;

@@ -7,7 +7,8 @@
 namespace foramen {
 namespace {
 
-// The order of draws is part of the result, so it must not be left to the compiler's order of arguments.
+// The components are drawn in a loop, because the result depends on the order of draws and C++ does not
+// define the order in which arguments are evaluated.
 Vec3 normal_vector(Rng& rng) {
   Vec3 v;
   for (int k = 0; k < 3; ++k) v[k] = rng.normal();
@@ -36,7 +37,7 @@ std::vector<VelocityField> random_velocity_fields(int count, const RandomFieldOp
   std::vector<Vec3> waves;
   waves.reserve(options.features);
   for (int j = 0; j < options.features; ++j) waves.push_back(normal_vector(rng) / options.correlation_mm);
-  // cos^2 + sin^2 = 1: with a cosine and a sine of each wave the variance is 1 for any set of waves.
+  // Each wave has a cosine and a sine, and cos^2 + sin^2 = 1, so the variance is 1 for any set of waves.
   const double scale = 1 / std::sqrt(static_cast<double>(options.features));
   std::vector<VelocityField> fields(count);
   for (VelocityField& field : fields) {

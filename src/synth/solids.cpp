@@ -7,8 +7,8 @@ namespace foramen::synth {
 
 namespace {
 
-// Distance from a rectangle grown by a radius, given the excess over its half sides; the gradient is in those
-// excesses.
+// Distance from a rectangle that is offset by a radius, as a function of the excesses over its half sides,
+// with its derivatives.
 struct Excess {
   double value, d_first, d_second;
 };
@@ -40,7 +40,7 @@ Jet Capsule::distance(const Vec3& p) const {
   const double t = std::clamp((p - from).dot(axis) / squared, 0.0, 1.0);
   const Vec3 away = p - (from + t * axis);
   const double length = away.norm();
-  // The smooth step has no slope at the ends, so the surface has no crease there.
+  // The derivative of the smooth step is zero at the ends, so the surface has no crease there.
   const double radius = radius_from + (radius_to - radius_from) * t * t * (3 - 2 * t);
   const double widening = (radius_to - radius_from) * 6 * t * (1 - t);
   const Vec3 direction = length > 0 ? Vec3(away / length) : Vec3(Vec3::Zero());

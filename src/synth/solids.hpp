@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The simple solids a vertebra is joined from, as signed distances with gradients.
+/// The simple solids of which the vertebra is composed, as signed distances with gradients.
 
 #include <algorithm>
 #include <array>
@@ -10,14 +10,14 @@
 
 namespace foramen::synth {
 
-/// A ball about a solid: distance(p) >= |p - centre| - radius.
+/// A bounding ball of a solid: distance(p) >= |p - centre| - radius.
 struct Ball {
   Vec3 centre;
   double radius;
 };
 
-/// A plate: a rectangle with rounded corners in the plane of the first two axes, of some thickness along the
-/// third, with rounded edges. Exact distance outside and at the surface.
+/// A plate: a rectangle with rounded corners in the plane of the first two axes, with a thickness along the
+/// third axis and rounded edges. The distance is exact outside and on the surface.
 struct Plate {
   Vec3 centre;
   Mat3 axes;  ///< columns: unit vectors
@@ -41,8 +41,8 @@ struct Capsule {
   }
 };
 
-/// Columns: the unit vector along `first`, the part of `second` across it, and what completes a right-handed
-/// frame.
+/// A right-handed orthonormal frame as columns: the direction of `first`, that of the part of `second`
+/// orthogonal to it, and their cross product.
 Mat3 frame(const Vec3& first, const Vec3& second);
 
 }  // namespace foramen::synth

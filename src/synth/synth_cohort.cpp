@@ -22,9 +22,9 @@ constexpr int truth_vertices = 10000;
 constexpr double lattice_spacing_mm = 2.0;
 constexpr double farthest_shift_mm = 200;
 constexpr int fewest_vertices =
-    1500;  // with fewer the facets' triangles are longer than the processes are thick
+    1500;  // with fewer vertices the triangles are longer than the processes are thick
 
-// Numbers of the random streams. One of the cohort, and one for every choice made about an item.
+// Indices of the random streams: one for the cohort, and one for each random choice of an item.
 enum class CohortStream : std::uint64_t { shared_fields = 0, first_item = 1 };
 enum class ItemStream : std::uint64_t { lattice, deformation, order, pose };
 
@@ -53,7 +53,8 @@ void check(const SynthOptions& options) {
 }
 
 Eigen::Quaterniond random_rotation(Rng& rng) {
-  double q[4];  // a normal 4-vector has no preferred direction, so its rotation is uniform
+  // A normally distributed 4-vector has no preferred direction, so the rotation is uniformly distributed.
+  double q[4];
   for (double& component : q) component = rng.normal();
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
 }
@@ -74,13 +75,13 @@ TriangleSoup triangulated_template(const RigidTransform& lattice, int vertices) 
   return isosurface(vertebra_surface, options);
 }
 
-// The triangulation every truth mesh is carried from: the same for all cohorts.
+// The template of all truth meshes, the same for all cohorts.
 const TriangleSoup& truth_template() {
   static const TriangleSoup soup = triangulated_template(RigidTransform::Identity(), truth_vertices);
   return soup;
 }
 
-// Variances of the true modes fall as 1 / k and sum to amplitude^2.
+// Standard deviations of the true modes. The variances are proportional to 1 / k and sum to amplitude^2.
 std::vector<double> mode_deviations(const SynthOptions& options) {
   double sum = 0;
   for (int k = 1; k <= options.modes; ++k) sum += 1.0 / k;
@@ -100,7 +101,7 @@ VelocityField deformation(const SynthOptions& options, std::span<const VelocityF
   return weighted_sum(shared, scores);
 }
 
-// Enough Runge-Kutta steps for displacements of four standard deviations.
+// Number of Runge-Kutta steps, sufficient for displacements of four standard deviations.
 int flow_steps(const SynthOptions& options) {
   const double per_correlation = 32 * options.amplitude_mm / options.correlation_mm;
   return std::clamp(static_cast<int>(std::ceil(per_correlation)), 4, 1000);
@@ -113,7 +114,7 @@ std::vector<int> random_order(std::size_t count, Rng& rng) {
   return order;
 }
 
-// Vertices and triangles in random order, and every triangle begun at a random corner.
+// Puts vertices and triangles in random order and lets each triangle begin at a random corner.
 TriangleSoup shuffled(const TriangleSoup& soup, Rng& rng) {
   const std::vector<int> vertex = random_order(soup.points.size(), rng);
   const std::vector<int> face = random_order(soup.triangles.size(), rng);

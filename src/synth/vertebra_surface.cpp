@@ -16,7 +16,7 @@ using synth::Plate;
 
 struct Part {
   std::variant<Plate, Capsule> solid;
-  double blend_mm;  // over which it melts into what is there already
+  double blend_mm;  // width over which the part is blended with the earlier ones
   Ball ball;
 };
 
@@ -28,17 +28,18 @@ Part part(const Solid& solid, double blend_mm) {
 Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 Jet mirrored(const Jet& j) { return {j.value, mirrored(j.gradient)}; }
 
-// Parts joined one after the other.
+// A sequence of parts that are joined one after another.
 class Assembly {
  public:
   template <class Solid>
   void add(const Solid& solid, double blend_mm) {
     parts_.push_back(part(solid, blend_mm));
   }
-  /// Joins the parts to what is there already.
+  /// Joins the parts to a solid with the distance `sum` at p.
   Jet joined(Jet sum, const Vec3& p) const {
     for (const Part& part : parts_) {
-      // A part further than the blend has no effect at all: leaving it out changes no bit.
+      // A part farther away than the width of the blend has no effect, so skipping it does not change the
+      // result.
       const double reach = sum.value + part.blend_mm + part.ball.radius;
       if (reach < 0 || (p - part.ball.centre).squaredNorm() > reach * reach) continue;
       const Jet d = std::visit([&](const auto& solid) { return solid.distance(p); }, part.solid);
@@ -51,8 +52,8 @@ class Assembly {
   std::vector<Part> parts_;
 };
 
-// The smooth minimum depends on the order of its arguments, so each side is joined for itself: exactly
-// symmetric.
+// The smooth minimum of several parts depends on their order. Both sides are therefore joined separately, the
+// right one as a mirror image, so that the arch is exactly symmetric.
 struct Arch {
   Assembly left, middle;
 
@@ -65,7 +66,7 @@ struct Arch {
   }
 };
 
-// Sizes and places in mm, left side, as measured on lumbar vertebrae.
+// Sizes and positions of the parts of the left side in mm, as measured on lumbar vertebrae.
 Arch make_arch() {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   using synth::frame;
@@ -76,18 +77,18 @@ Arch make_arch() {
   // laminae: steep plates that meet behind the canal
   arch.left.add(
       Plate{{7.0, 34.6, -6.5}, frame(Vec3(-1, 0.50, 0), Vec3(0, 0.30, -1)), {10.0, 9.8, 3.3}, 5.0, 2.9}, 5);
-  // superior articular process: a blade whose facet looks inwards and backwards; the mammillary process
-  // behind it
+  // superior articular process: a blade with a facet that faces inwards and backwards; behind it the
+  // mammillary process
   arch.left.add(Plate{{17.8, 34.4, 10.6}, frame(y + 0.32 * x, z - 0.12 * y), {8.2, 10.0, 3.3}, 6.8, 3.0}, 5);
   arch.left.add(Capsule{{19.8, 38.5, 4.0}, {20.4, 41.0, 9.5}, 3.6, 3.0}, 4);
-  // inferior articular process, facet outwards and forwards
+  // inferior articular process with a facet that faces outwards and forwards
   arch.left.add(
       Plate{{11.6, 36.8, -18.0}, frame(z + 0.10 * y - 0.14 * x, x + 0.75 * y), {12.0, 5.8, 3.8}, 5.2, 3.3},
       6);
   // transverse process
   arch.left.add(Capsule{{17.5, 29.5, 3.5}, {31.0, 32.3, 4.5}, 5.4, 3.2}, 5);
   arch.left.add(Plate{{31.5, 32.8, 4.5}, frame(Vec3(1, 0.26, 0.06), z), {12.5, 5.2, 2.7}, 4.6, 2.4}, 5);
-  // spinous process: plate, hatchet's edge, root
+  // spinous process
   arch.middle.add(Capsule{{0, 36.5, -5.0}, {0, 44, -8.5}, 5.4, 3.8}, 6);
   arch.middle.add(Plate{{0, 50.5, -9.0}, frame(Vec3(0, 1, -0.18), z + 0.1 * y), {15.0, 8.6, 2.9}, 6.5, 2.6},
                   5);
@@ -99,8 +100,8 @@ Arch make_arch() {
 Jet body(const Vec3& p) {
   constexpr double half_width = 24, half_depth = 17, half_height = 13.5;
   constexpr double dish_depth = 2.2, waist = 0.14, hollow_depth = 2.8, rim_mm = 7;
-  constexpr double squareness = 1.25;  // exponent of squares: 1 is an ellipse
-  constexpr double softening = 1e-4;   // keeps roots differentiable on the axis
+  constexpr double squareness = 1.25;  // exponent of squares; 1 gives an ellipse
+  constexpr double softening = 1e-4;   // keeps square roots differentiable on the axis
   const Jet x{p.x(), Vec3::UnitX()}, y{p.y(), Vec3::UnitY()}, z{p.z(), Vec3::UnitZ()};
 
   const Jet backwards = 0.5 + 0.5 * y / synth::sqrt(y * y + 60.0);  // 0 in front, 1 at the back

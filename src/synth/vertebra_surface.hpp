@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// The template of the synthetic cohorts: a lumbar vertebra as an implicit surface.
+/// The template of synthetic cohorts: a lumbar vertebra as an implicit surface.
 
 #include "foramen/core/geometry.hpp"
 #include "synth/isosurface.hpp"
 
 namespace foramen {
 
-/// A lumbar vertebra of real size, left-right symmetric, in millimetres: x to the left, y backwards, z
-/// upwards, the origin in the middle of the body.
+/// The implicit function of a lumbar vertebra of natural size in mm, exactly symmetric left to right: x
+/// points to the left, y backwards, z upwards, and the origin is the centre of the body.
 ///
 /// Body of 48 x 34 x 27 mm with concave endplates, a waist and a hollow posterior wall, two pedicles,
 /// laminae, a hatchet-like spinous process, two transverse and four articular processes, the canal cut out of
@@ -17,7 +17,7 @@ namespace foramen {
 /// surface of genus 1.
 ImplicitValue vertebra_surface(const Vec3& point);
 
-/// A box that holds the whole surface, with some millimetres of room.
+/// A box that contains the whole surface with a margin of some millimetres.
 BoundingBox vertebra_bounds();
 
 }  // namespace foramen

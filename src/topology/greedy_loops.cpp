@@ -11,7 +11,7 @@ using topology_detail::LoopGraph;
 using topology_detail::LoopScratch;
 using topology_detail::position_less;
 
-// From the root of the tree to v.
+// The path in the tree from the root to v.
 std::vector<HalfedgeId> tree_path(const Mesh& mesh, const VertexMap<HalfedgeId>& parent, VertexId v) {
   std::vector<HalfedgeId> path;
   for (HalfedgeId h = parent[v]; h.valid(); h = parent[mesh.from(h)]) path.push_back(h);
@@ -27,7 +27,7 @@ EdgeLoop close_loop(const Mesh& mesh, const VertexMap<HalfedgeId>& parent, Halfe
   return loop;
 }
 
-// Loops have no direction of their own; this one does not depend on the numbering.
+// The direction in which a loop traverses its generator. It depends on positions, not on the numbering.
 HalfedgeId directed(const Mesh& mesh, EdgeId e) {
   const HalfedgeId h = mesh.halfedge(e);
   return position_less(mesh, mesh.from(h), mesh.to(h)) ? h : mesh.twin(h);

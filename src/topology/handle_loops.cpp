@@ -19,15 +19,15 @@ namespace {
 
 using namespace topology_detail;
 
-// Linking numbers of a loop with each loop of a basis; in both, the second loop of the pair is the lifted
-// one.
+// Linking numbers of a loop with each loop of a basis. In each pair the second loop is pushed outward off the
+// surface.
 struct Links {
   std::vector<int> with_lifted, lifted_with;  // lk(loop, l+), lk(l, loop+)
   friend bool operator==(const Links&, const Links&) = default;
 };
 
-// Nothing if a number is no integer, or if the two of a pair do not differ as the intersection number
-// demands.
+// nullopt if a number is not an integer, or if the two numbers of a pair do not differ by the intersection
+// number of the loops.
 std::optional<Links> links(const Mesh& mesh, const EdgeLoop& loop, const std::vector<EdgeLoop>& basis,
                            double push) {
   const auto polygon = positions_of(mesh, loop);
@@ -48,8 +48,8 @@ bool all_zero(const std::vector<int>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](int n) { return n == 0; });
 }
 
-// The surface twice, joined crosswise where the loop is crossed: a closed walk that crosses it oddly is a
-// path from a vertex to the same vertex on the other sheet.
+// The double cover of the surface whose sheets are exchanged across the loop. A closed walk that crosses the
+// loop an odd number of times is a path from a vertex to the same vertex on the other sheet.
 class DoubleCover {
  public:
   DoubleCover(const Mesh& mesh, const EdgeLoop& loop, const EdgeMap<double>& lengths)
@@ -59,8 +59,9 @@ class DoubleCover {
     for (auto& p : parent_) p = VertexMap<HalfedgeId>(mesh.vertex_count());
   }
 
-  /// Empty if there is none shorter than `bound`. Both sheets look alike, so one search serves as the search
-  /// from either end of the path: it is over when it has come half as far as the best path found.
+  /// The shortest such walk through `source`; empty if there is none shorter than `bound`. This is a
+  /// bidirectional search: by the symmetry of the sheets one search also gives the distances from the other
+  /// end of the path, so it stops at half the length of the best path.
   EdgeLoop shortest_through(VertexId source, double bound) {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
     double best = bound;
@@ -148,8 +149,9 @@ LoopKind loop_kind(const Mesh& mesh, const EdgeLoop& loop) {
 
 EdgeLoop shortest_crossing_loop(const Mesh& mesh, const EdgeLoop& loop, const EdgeMap<double>& lengths) {
   DoubleCover cover(mesh, loop, lengths);
-  // What crosses the loop meets it. From two of its vertices, at a distance d along it, the shortest ones
-  // differ by 2 d at most: vertices are tried in the order of the bound that follows.
+  // A walk that crosses the loop has a vertex on it. For two vertices of the loop at a distance d along it,
+  // the lengths of the shortest crossing walks through them differ by at most 2 d. The search goes through
+  // the vertices of the loop in the order of the lower bound that this gives.
   std::vector<double> along{0}, bound(loop.size(), 0);
   for (HalfedgeId h : loop) along.push_back(along.back() + lengths[mesh.edge(h)]);
   EdgeLoop shortest;
@@ -162,7 +164,8 @@ EdgeLoop shortest_crossing_loop(const Mesh& mesh, const EdgeLoop& loop, const Ed
       length = loop_length(mesh, found, lengths);
       shortest = std::move(found);
     }
-    // From here it is no shorter than the shortest so far.
+    // The walk through this vertex has at least the length `length`, which bounds all other vertices from
+    // below.
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const double direct = std::abs(along[i] - along[next]);
       bound[i] = std::max(bound[i], length - 2 * std::min(direct, along.back() - direct));

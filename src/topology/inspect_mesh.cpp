@@ -43,7 +43,7 @@ class DisjointSets {
   std::vector<std::size_t> parent_;
 };
 
-// One side of a triangle. Corner 3f+k is the k-th of triangle f.
+// One side of a triangle. Corner 3f+k is corner k of triangle f.
 struct Side {
   int low, high;
   std::size_t corner_at_low, corner_at_high;
@@ -65,8 +65,8 @@ std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles) {
   return sides;
 }
 
-// Edges, and what is wrong with them. Joins the corners of triangles that share an edge, so that each set of
-// corners left at a vertex is one fan.
+// Counts the edges and their defects. Joins the corners of triangles that share an edge, so that each set of
+// joined corners at a vertex is one fan.
 void inspect_edges(const TriangleSoup& soup, const std::vector<Triangle>& triangles, DisjointSets& fans,
                    MeshReport& report) {
   const std::vector<Side> sides = sorted_sides(triangles);
@@ -127,7 +127,8 @@ int duplicate_triangles(std::vector<Triangle> triangles) {
   return static_cast<int>(triangles.end() - std::unique(triangles.begin(), triangles.end()));
 }
 
-// The box of what belongs to the surface: a stray vertex far away must not change what counts as degenerate.
+// The bounding box of the vertices of triangles. An unused vertex far away must not change which triangles
+// count as degenerate.
 BoundingBox box_of(const TriangleSoup& soup, const std::vector<Triangle>& triangles) {
   std::vector<Vec3> finite;
   for (const Triangle& t : triangles)
@@ -141,7 +142,7 @@ BoundingBox box_of(const TriangleSoup& soup, const std::vector<Triangle>& triang
 
 void measure(const TriangleSoup& soup, const std::vector<Triangle>& triangles, MeshReport& report) {
   const double smallest_area = degenerate_area(report.box.diagonal());
-  const Vec3 origin = report.box.low;  // near the surface, so that no digits are lost
+  const Vec3 origin = report.box.low;  // a point near the surface, so that the volume loses no digits
   for (const Triangle& triangle : triangles) {
     const std::array<Vec3, 3> t = corners_of(soup, triangle);
     if (!all_finite(t)) continue;
@@ -156,21 +157,22 @@ std::string counted(int count, const std::string& one, const std::string& many) 
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+const std::vector<Remedy> by_repair = {{RemedyKind::repair}};
+
 Obstacle genus_obstacle(int genus) {
   if (genus == 0)
     return {"no hole passes through the surface (genus 0), but a vertebra has one, the vertebral canal",
             "look at the canal in the segmentation: reopen it if it is filled or capped, and close the arch "
-            "behind it if "
-            "the arch is broken or cut off"};
-  return {
-      "genus " + std::to_string(genus) + ": " + std::to_string(genus) +
-          " holes pass through the surface where only the vertebral canal should",
-      "if this is a cervical vertebra with open foramina transversaria, its kind is not supported; "
-      "otherwise run `foramen repair` (or build with --repair), which cuts thin bridges and fills tunnels of "
-      "noise; larger ones must be mended in the segmentation or in a mesh editor"};
+            "behind it if the arch is broken or cut off"};
+  return {"genus " + std::to_string(genus) + ": " + std::to_string(genus) +
+              " holes pass through the surface where only the vertebral canal should",
+          "if this is a cervical vertebra with open foramina transversaria, its kind is not supported; "
+          "otherwise repair the surface, which cuts thin bridges and fills tunnels of "
+          "noise; larger ones must be mended in the segmentation or in a mesh editor",
+          by_repair};
 }
 
-// Whether every triangle can be used at all.
+// The first defect that makes single vertices or triangles unusable.
 std::optional<Obstacle> unusable_elements(const MeshReport& r) {
   if (r.triangles == 0)
     return Obstacle{"it has no triangles", "export the surface of the bone, not points or an empty scene"};
@@ -187,35 +189,36 @@ std::optional<Obstacle> unusable_elements(const MeshReport& r) {
 
 std::optional<Obstacle> not_one_surface(const MeshReport& r) {
   if (r.components > 1)
-    return Obstacle{"it consists of " + std::to_string(r.components) + " separate pieces",
-                    "run `foramen repair` (or build with --repair), which keeps the largest piece, or delete "
-                    "islands and inner "
-                    "cavities in the segmentation"};
+    return Obstacle{
+        "it consists of " + std::to_string(r.components) + " separate pieces",
+        "repair the surface, which keeps the largest piece, or delete islands and inner cavities in the "
+        "segmentation",
+        by_repair};
   if (r.duplicate_triangles > 0)
     return Obstacle{counted(r.duplicate_triangles, "triangle is", "triangles are") + " there twice",
-                    "run `foramen repair` (or build with --repair)"};
+                    "repair the surface", by_repair};
   if (r.non_manifold_edges > 0)
-    return Obstacle{
-        counted(r.non_manifold_edges, "edge belongs", "edges belong") +
-            " to more than two triangles (not a manifold surface)",
-        "run `foramen repair` (or build with --repair), which drops flaps and inner walls, or remove the "
-        "faces at such edges in a mesh editor and close the holes that this leaves"};
+    return Obstacle{counted(r.non_manifold_edges, "edge belongs", "edges belong") +
+                        " to more than two triangles (not a manifold surface)",
+                    "repair the surface, which drops flaps and inner walls, or remove the "
+                    "faces at such edges in a mesh editor and close the holes that this leaves",
+                    by_repair};
   if (r.non_manifold_vertices > 0)
     return Obstacle{counted(r.non_manifold_vertices, "vertex joins", "vertices join") +
                         " parts of the surface that touch in that point alone (not a manifold surface)",
-                    "run `foramen repair` (or build with --repair), which parts them"};
+                    "repair the surface, which parts them", by_repair};
   if (r.boundary_edges > 0)
     return Obstacle{"it is open: " + counted(r.boundary_edges, "boundary edge", "boundary edges"),
-                    "run `foramen repair` (or build with --repair), which fills small holes; if the bone is "
-                    "cut off at the edge "
-                    "of the scan, this shape cannot be used"};
+                    "repair the surface, which fills small holes; if the bone is cut off at the edge of the "
+                    "scan, this shape cannot be used",
+                    by_repair};
   if (r.misoriented_edges > 0)
     return Obstacle{"its triangles are not all wound the same way (" +
                         counted(r.misoriented_edges, "edge", "edges") + " between opposite ones)",
-                    "run `foramen repair` (or build with --repair), which winds them alike"};
+                    "repair the surface, which winds them alike", by_repair};
   if (r.unused_vertices > 0)
     return Obstacle{counted(r.unused_vertices, "vertex belongs", "vertices belong") + " to no triangle",
-                    "run `foramen repair` (or build with --repair)"};
+                    "repair the surface", by_repair};
   return std::nullopt;
 }
 

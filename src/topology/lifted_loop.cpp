@@ -11,15 +11,15 @@
 namespace foramen::topology_detail {
 namespace {
 
-// A sum of solid angles further than this from an integer means that the polygons touch.
+// If a Gauss integral differs from an integer by more than this, the polygons touch.
 constexpr double integer_tolerance = 1e-3;
-// Two segments whose Gauss integral is this close to its supremum, one half, touch: on which side they pass
-// is lost to rounding.
+// Two segments touch if their Gauss integral is this close to its supremum of one half. On which side one
+// passes the other is lost in rounding then.
 constexpr double touching_tolerance = 1e-10;
-// Gauss integral of two segments, in units of 2 pi: half the signed solid angle of the parallelogram of
-// directions from one segment to the other, that is, of two spherical triangles [vanoosterom1983], whose half
-// angles are added as arguments of complex numbers. The sum lies between -pi and pi and stays accurate when
-// the segments nearly touch.
+// The Gauss integral of two segments in units of 2 pi: half the signed solid angle of the spherical
+// quadrilateral of directions from one segment to the other. It is the sum over two spherical triangles
+// [vanoosterom1983], whose half angles are added as arguments of complex numbers. The sum lies between -pi
+// and pi and stays accurate for segments that nearly touch.
 double half_solid_angle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double la = a.norm(), lb = b.norm(), lc = c.norm(), ld = d.norm();
   const double triple = a.dot(b.cross(c));
@@ -68,9 +68,9 @@ std::vector<Vec3> positions_of(const Mesh& mesh, const EdgeLoop& loop) {
   return polygon;
 }
 
-// The mean of the two normals at an edge leans outward from both faces, so every segment of the polygon lies
-// strictly above the one face it passes: this needs no direction at vertices, where a fold can leave none
-// that is outward from all faces.
+// The mean of the two normals at an edge points outward from both faces. Each segment of the polygon passes
+// over one face, so it lies strictly above that face. Vertices are avoided, because at a fold there may be no
+// direction that points outward from all faces of a vertex.
 std::vector<Vec3> pushed_outward(const Mesh& mesh, const std::vector<HalfedgeId>& crossed, double push) {
   std::vector<Vec3> polygon;
   for (HalfedgeId h : crossed) {

@@ -1,5 +1,4 @@
 #include "topology/linking.hpp"
-#include "topology/periods.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -8,6 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "topology/lifted_loop.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {
@@ -43,7 +43,8 @@ int intersection_number(const Mesh& mesh, const EdgeLoop& first, const EdgeLoop&
     --walked[mesh.twin(h)];
   }
   int sum = 0;
-  for (HalfedgeId h : crossings_left_of(mesh, second)) sum -= walked[h];  // from the left of h to its right
+  // The walk crosses h from its left to its right.
+  for (HalfedgeId h : crossings_left_of(mesh, second)) sum -= walked[h];
   return sum;
 }
 
@@ -54,7 +55,8 @@ Eigen::Matrix2i seifert_matrix(const Mesh& mesh, const EdgeLoop& first, const Ed
   if (std::abs(crossing) != 1)
     throw TopologyError("two loops that intersect " + std::to_string(crossing) +
                         " times (algebraically) are no basis: needs 1 or -1");
-  // Moving loop l from inside to outside passes it through loop k once for every intersection.
+  // A loop l that moves from the inside to the outside of the surface passes through loop k once per
+  // intersection.
   const Eigen::Matrix2i antisymmetric{{0, -crossing}, {crossing, 0}};
   const std::array loops{positions_of(mesh, first), positions_of(mesh, second)};
   const std::array crossed{crossings_left_of(mesh, first), crossings_left_of(mesh, second)};

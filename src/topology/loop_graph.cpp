@@ -13,11 +13,12 @@ namespace foramen::topology_detail {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Width of a bucket of the queue, in mean edge weights. Only speed depends on it.
+// Width of a bucket of the queue, in mean edge weights. It affects the speed only.
 constexpr double bucket_width = 0.25;
-// Expansions per vertex after which the buckets are kept as heaps; 1.1 is common. Only speed depends on it.
+// Expansions per vertex after which the buckets become heaps; 1.1 expansions per vertex are usual. It affects
+// the speed only.
 constexpr std::int64_t expansions_before_heap = 3;
-// Bounds the number of buckets where one weight is huge against the mean.
+// Bounds the number of buckets if one weight is much larger than the mean.
 constexpr double most_buckets = 4096;
 
 int leader_of(std::vector<int>& leader, int f) {
@@ -78,7 +79,8 @@ LoopGraph::LoopGraph(const Mesh& mesh, const EdgeMap<double>& weights) : mesh_(m
       std::accumulate(weight_.begin(), weight_.end(), 0.0) / static_cast<double>(weight_.size());
   const double width = std::max(bucket_width * mean, largest / most_buckets);
   if (width > 0 && 1 / width < infinite) buckets_per_length_ = 1 / width;
-  // One bucket more than a step can reach, one for rounding, one for the bucket it starts in.
+  // A step spans at most this many buckets, plus one for the fraction of a bucket, one for rounding and one
+  // for the bucket in which it starts.
   bucket_count_ = std::bit_ceil(static_cast<std::size_t>(largest * buckets_per_length_) + 3);
 
   LoopScratch s = scratch();
@@ -105,12 +107,13 @@ void LoopGraph::evaluate(int basepoint, LoopScratch& s) const {
   find_leftover(s);
 }
 
-// Dijkstra with a queue of buckets. Inside a bucket the order is free, and a vertex that is improved after it
-// was expanded is expanded again: for the edges of a surface that is rare, and twice as fast as a heap. Where
-// weights differ so much that it is not, the rest is done with each current bucket as a heap, which keeps the
-// bound of a heap for any weights. The distances are the exact minima, over all walks, of the floating-point
-// sums from the basepoint outward: the same bits in whatever order. Only strict improvements change a parent,
-// so the parents form a tree.
+// Dijkstra's algorithm with a bucket queue. The order within a bucket is arbitrary, and a vertex whose
+// distance improves after its expansion is expanded again. For edge lengths of a surface this is rare, and
+// the search is twice as fast as with a heap. If weights differ so much that repeated expansions are
+// frequent, the rest of the search keeps the current bucket as a heap, which bounds the run time for any
+// weights. The distances are the exact minima, over all walks, of the floating-point sums from the basepoint
+// outward, so they do not depend on the order. Only strict improvements change a parent, so the parents form
+// a tree.
 void LoopGraph::grow_tree(int basepoint, LoopScratch& s) const {
   std::fill(s.distance.begin(), s.distance.end(), infinite);
   std::fill(s.parent.begin(), s.parent.end(), -1);
@@ -132,7 +135,8 @@ void LoopGraph::grow_tree(int basepoint, LoopScratch& s) const {
       const LoopScratch::Entry entry = bucket.back();
       bucket.pop_back();
       --waiting;
-      if (entry.distance != s.distance[entry.vertex]) continue;  // improved since
+      // Outdated: the vertex was reached by a shorter path.
+      if (entry.distance != s.distance[entry.vertex]) continue;
       for (int k = first_arc_[entry.vertex]; k < first_arc_[entry.vertex + 1]; ++k) {
         const Arc& arc = arcs_[k];
         const double d = entry.distance + arc.weight;
@@ -159,7 +163,8 @@ void LoopGraph::choose_parents_by_position(LoopScratch& s) const {
     for (int k = first_arc_[v]; k < first_arc_[v + 1]; ++k) {
       const Arc& arc = arcs_[k];
       const double d = s.distance[arc.to];
-      // Strictly nearer ones only: over weights of zero two vertices could become each other's parent.
+      // A parent must be strictly nearer to the basepoint, because with zero weights two vertices could
+      // otherwise become parents of each other.
       if (d >= s.distance[v] || d + arc.weight != s.distance[v]) continue;
       if (best < 0 || position_less(mesh_, VertexId(arc.to), VertexId(best_from))) {
         best = mesh_.twin(HalfedgeId(arc.halfedge)).index;
@@ -175,9 +180,9 @@ double LoopGraph::loop_length(int edge, const std::vector<double>& distance) con
   return (distance[ends[0]] + distance[ends[1]]) + weight_[edge];
 }
 
-// Every spanning tree of the dual holds its bridges, so dual leaves can be taken off first, in linear time
-// and without looking at lengths. What is left, the core, is the part of the cut locus that carries the
-// topology: a few hundred edges at most, cheap to sort.
+// Every spanning tree of the dual graph contains its bridges, so leaves of the dual graph can be removed
+// first, in linear time and without their lengths. The rest, called the core, is the part of the cut locus
+// that carries the topology. It has a few hundred edges at most, so it is cheap to sort.
 void LoopGraph::peel(LoopScratch& s) const {
   s.faces = whole_faces_;
   const auto part = [&](int f, int g) {
@@ -208,7 +213,7 @@ bool LoopGraph::in_tree(HalfedgeId h, const LoopScratch& s) const {
   return s.parent[mesh_.to(h).index] == h.index || s.parent[mesh_.from(h).index] == mesh_.twin(h).index;
 }
 
-// Between two faces that are left no edge was peeled.
+// Collects the dual edges between remaining faces; none of them was removed by peel().
 void LoopGraph::collect_core(LoopScratch& s) const {
   s.core.clear();
   for (std::size_t f = 0; f < s.faces.size(); ++f) {

@@ -1,7 +1,7 @@
 #pragma once
-// The inner engine of greedy systems of loops: everything that many basepoints of one mesh share (LoopGraph),
-// and what one evaluation writes (LoopScratch). Plain contiguous arrays of indices: this is the hot part of
-// the search over all basepoints.
+// The inner loop of the search for shortest systems of loops. LoopGraph holds what all basepoints of a mesh
+// share and LoopScratch what the evaluation of one basepoint writes. Both are plain arrays of indices for
+// speed.
 
 #include <array>
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace foramen::topology_detail {
 
-/// Memory of one evaluation, kept between evaluations. One thread at a time may use it.
+/// Working memory of an evaluation, reused by later evaluations. Each thread needs its own.
 struct LoopScratch {
-  std::vector<double> distance;  ///< per vertex: from the basepoint
-  std::vector<int> parent;       ///< per vertex: halfedge that arrives from the tree's parent; -1 at the root
-  std::vector<int> leftover;     ///< the 2g leftover edges, by length of their loops, the shorter first
+  std::vector<double> distance;      ///< per vertex: from the basepoint
+  std::vector<int> parent;           ///< per vertex: the halfedge from its parent in the tree; -1 at the root
+  std::vector<int> leftover;         ///< the 2g edges in neither tree, in order of the lengths of their loops
   std::vector<double> loop_lengths;  ///< of the leftover edges
 
   struct Entry {
@@ -24,14 +24,14 @@ struct LoopScratch {
   };
   std::vector<std::vector<Entry>> buckets;
   struct FaceState {
-    int degree;      // dual edges left
-    int neighbours;  // the faces across them, xor-ed: the index of the last one when one is left
+    int degree;      // number of remaining dual edges
+    int neighbours;  // xor of the faces across them; if one edge remains, the index of its face
   };
   std::vector<FaceState> faces;
-  std::vector<int> stack, core, leader;  // faces to peel, edges of the core, union-find
+  std::vector<int> stack, core, leader;  // leaves to remove, edges of the core, union-find
 };
 
-/// A closed connected mesh with edge weights, ready for evaluations.
+/// A closed connected mesh with edge weights, prepared for the evaluation of basepoints.
 class LoopGraph {
  public:
   /// Throws TopologyError (open, not connected) or InvalidInput (a weight that is negative or not finite).
@@ -41,14 +41,14 @@ class LoopGraph {
   int loop_count() const { return loop_count_; }  ///< 2g
   LoopScratch scratch() const;
 
-  /// Fills all results of the scratch. The loop lengths are the successive minima of the basepoint and so do
-  /// not depend on how ties are broken; the tree and the leftover edges may.
+  /// Computes all results in the scratch. The loop lengths are the successive minima of the basepoint and do
+  /// not depend on how ties are broken; the tree and the leftover edges do.
   void evaluate(int basepoint, LoopScratch& s) const;
 
   /// The three parts of evaluate().
   void grow_tree(int basepoint, LoopScratch& s) const;
-  /// Replaces the parents by those that depend on positions only, not on the numbering: among the neighbours
-  /// that a shortest path may come from, the one with the lexicographically smallest position.
+  /// Replaces each parent by the neighbour of lexicographically smallest position among those on a shortest
+  /// path, so that the tree does not depend on the numbering.
   void choose_parents_by_position(LoopScratch& s) const;
   void find_leftover(LoopScratch& s) const;
 

@@ -7,7 +7,7 @@
 namespace foramen {
 namespace {
 
-// Sets one value and its negative on the other side.
+// Sets the value of a halfedge and its negative on the twin.
 void assign(const Mesh& mesh, Cocycle& form, HalfedgeMap<bool>& known, HalfedgeId h, const Vec2i& value) {
   form.value[h] = value;
   form.value[mesh.twin(h)] = -value;
@@ -40,8 +40,8 @@ Cocycle cocycle(const Mesh& mesh, const LoopSystem& loops) {
   assign(mesh, form, known, loops.generators[0], Vec2i::UnitX());
   assign(mesh, form, known, loops.generators[1], Vec2i::UnitY());
 
-  // The edges not yet known are a spanning tree of the dual: a face with one of them is a leaf, whose sum
-  // fixes it.
+  // The edges without a value form a spanning tree of the dual graph. A face with one such edge is a leaf,
+  // and the zero sum of its values determines the missing one.
   std::vector<FaceId> leaves;
   for (FaceId f : mesh.faces())
     if (unknown_count(f, known) == 1) leaves.push_back(f);

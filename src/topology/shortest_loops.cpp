@@ -17,10 +17,10 @@ using topology_detail::LoopGraph;
 using topology_detail::LoopScratch;
 using topology_detail::position_less;
 
-// Basepoints whose loops are this close in length, relatively, are equally short.
+// Two systems of loops are equally short if their lengths differ by less than this relative amount.
 constexpr double tie_tolerance = 1e-12;
-// Basepoints evaluated at once. Fixed, so that the number of threads changes nothing, not even the number of
-// evaluations.
+// Number of basepoints that are evaluated in parallel. It is fixed, so that the number of threads does not
+// change the result or the number of evaluations.
 constexpr int batch_size = 8;
 
 // Best-first branch and bound over basepoints.
@@ -31,12 +31,11 @@ constexpr int batch_size = 8;
 // loop through b' becomes one through b of the same class by walking to b' and back, which adds 2 d(b,b').
 // Hence l_k(b') >= l_k(b) - 2 d(b,b') for every k on its own, and
 //     L(b') >= sum_k max_b (l_k(b) - 2 d(b,b')),
-// never below max_b (L(b) - 4g d(b,b')), which takes the same b for all k. d(b,.) comes free with the loops
-// of b.
+// which is at least as sharp as max_b (L(b) - 4g d(b,b')), where b is the same for all k. The distances
+// d(b,.) are a by-product of the loops of b.
 class Search {
  public:
-  /// \param counted  how many of the loops of a basepoint, the shortest first, are to be short together; 0:
-  /// all
+  /// \param counted  number of loops of a basepoint, shortest first, whose total length is minimised; 0: all
   Search(const Mesh& mesh, const EdgeMap<double>& lengths, int counted)
       : mesh_(mesh), graph_(mesh, lengths), loops_(graph_.loop_count()) {
     if (loops_ == 0)
@@ -80,8 +79,8 @@ class Search {
     double length;
   };
 
-  // The open basepoints of smallest bound, but none so near to one already chosen that the evaluation of that
-  // one will probably rule it out.
+  // Chooses the open basepoints with the smallest bounds, but none so near to another chosen one that the
+  // evaluation of that one will probably exclude it.
   std::vector<int> choose_batch() const {
     std::vector<int> batch;
     std::vector<double> reach;
@@ -109,9 +108,10 @@ class Search {
     evaluated_[basepoint] = 1;
   }
 
-  // Raises the bounds by what the batch has found and closes what cannot win or tie any more.
+  // Raises the bounds by the results of the batch and closes basepoints that can neither win nor tie.
   void tighten(std::size_t batch) {
-    const double cutoff = shortest_ * (1 + 2 * tie_tolerance);  // twice: bounds are rounded, too
+    // Twice the tolerance, because the bounds have rounding errors, too.
+    const double cutoff = shortest_ * (1 + 2 * tie_tolerance);
     std::size_t kept = 0;
     for (int v : open_) {
       double* bounds = &bounds_[v * loops_];
@@ -126,8 +126,8 @@ class Search {
 
   const Mesh& mesh_;
   LoopGraph graph_;
-  int loops_;                   // whose lengths count: at most 2g
-  std::vector<int> open_;       // basepoints that may still win, by position
+  int loops_;                   // number of loops whose lengths count, at most 2g
+  std::vector<int> open_;       // basepoints that may still win, in order of position
   std::vector<double> bound_;   // per vertex
   std::vector<double> bounds_;  // per vertex and loop
   std::vector<std::uint8_t> evaluated_;
@@ -136,7 +136,7 @@ class Search {
   std::vector<LoopScratch> scratch_;
 };
 
-// The best basepoint, and how many were evaluated.
+// The best basepoint and the number of evaluations.
 std::pair<VertexId, int> best_basepoint(const Mesh& mesh, const EdgeMap<double>& lengths, int counted,
                                         const RunContext& ctx, const ShortestLoopsOptions& options) {
   Search search(mesh, lengths, counted);
@@ -151,7 +151,8 @@ std::pair<VertexId, int> best_basepoint(const Mesh& mesh, const EdgeMap<double>&
   return {search.best(), search.evaluations()};
 }
 
-// Without steps that are taken back at once, round the end too: edges of no length allow them.
+// Removes steps that are immediately reversed, also across the end of the loop. They can occur with edges of
+// length zero.
 EdgeLoop without_spurs(const Mesh& mesh, const EdgeLoop& loop) {
   EdgeLoop out;
   for (HalfedgeId h : loop) {

@@ -1,17 +1,17 @@
 #include "workflow/build_choices.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/register_options.hpp"
 
 #include <array>
 
 #include "foramen/core/error.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
 
 namespace foramen {
 namespace {
 
 constexpr int description_rounds = 3;
 
-// What the description of a struct says of the option of this path.
+// The text of the option with this path, from the description of its struct.
 template <DescribedOptions Options>
 OptionText text_of(std::string_view path) {
   Options options;
@@ -42,7 +42,7 @@ OptionText text_behind(std::string_view name) {
   return {.meaning = "the paper's own choices throughout"};
 }
 
-// The options of register_group() count only where shapes are registered as a group.
+// The options of register_group() have an effect only if shapes are registered as a group.
 void require_effect(const BuildChoices& choices, const CorrespondOptions& how) {
   if (registered_together(how)) return;
   const std::array<std::pair<const char*, bool>, 3> given = {{{"rounds", choices.rounds.has_value()},
@@ -116,7 +116,7 @@ BuildOptions build_options(const BuildChoices& choices) {
         choices.objective == ObjectiveChoice::neighbours ? Objective::neighbours : Objective::surface;
     if (choices.objective == ObjectiveChoice::description) how.group.description_rounds = description_rounds;
   }
-  // The two weights have different units, so only that of the objective in use is meant.
+  // The weights of the two objectives have different units, so lambda sets only that of the objective in use.
   take(registered_together(how) ? how.group.lambda : how.registration.lambda, choices.lambda);
   take(how.registration.initial_map, choices.initial_map);
   take(how.group.initial_map, choices.initial_map);

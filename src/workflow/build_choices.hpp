@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The few options by which a user sets up a build, and what they mean for the options of all stages.
+/// The options that a user sets for a build, and their translation into the options of all stages.
 
 #include <cstdint>
 #include <optional>
@@ -16,11 +16,11 @@
 
 namespace foramen {
 
-/// What draws the maps together, as a user chooses it.
+/// The term that attracts the maps to each other, as a user chooses it.
 enum class ObjectiveChoice {
   surface,     ///< Objective::surface
   neighbours,  ///< Objective::neighbours
-  description  ///< Objective::surface, and then rounds by the description length
+  description  ///< Objective::surface, followed by rounds that minimise the description length
 };
 template <>
 struct EnumWords<ObjectiveChoice> {
@@ -30,10 +30,10 @@ struct EnumWords<ObjectiveChoice> {
       {"description", ObjectiveChoice::description}};
 };
 
-/// The text of a choice: that of the option which it sets.
+/// The text of a choice, which is the text of the option that it sets.
 OptionText choice_text(std::string_view name);
 
-/// Unset: the stages' own default, or the paper's choice with `paper`.
+/// A choice that is unset means the default of the stages, or the paper's choice if `paper` is set.
 struct BuildChoices {
   std::optional<Method> method = std::nullopt;
   std::optional<ObjectiveChoice> objective = std::nullopt;
@@ -41,7 +41,7 @@ struct BuildChoices {
   std::optional<DistortionMeasure> distortion = std::nullopt;
   std::optional<Bending> bending = std::nullopt;
   std::optional<std::string> reference = std::nullopt;
-  std::optional<double> lambda = std::nullopt;  ///< of the objective in use: the units of the two differ
+  std::optional<double> lambda = std::nullopt;  ///< for the objective in use, in its unit
   std::optional<int> landmarks = std::nullopt;
   std::optional<double> target_error_mm = std::nullopt;
   std::optional<int> samples = std::nullopt;
@@ -74,21 +74,21 @@ void describe(Visitor& visit, MaybeConst<BuildChoices> auto& c) {
   visit(c.optimiser, choice_text("optimiser"));
 }
 
-/// The values that hold where nothing is chosen. `lambda`, `target_error_mm` and `subject_regex` are unset.
+/// The values of choices that are unset. `lambda`, `target_error_mm` and `subject_regex` are unset.
 BuildChoices default_choices();
 
-/// A choice that another one leaves without effect.
+/// The error for a choice that has no effect because of another choice.
 class ChoiceWithoutEffect : public InvalidInput {
  public:
   ChoiceWithoutEffect(std::string_view name, const std::string& reason);
-  const std::string& name() const { return name_; }  ///< of the choice, as its description has it
+  const std::string& name() const { return name_; }  ///< the name of the choice in its description
 
  private:
   std::string name_;
 };
 
-/// `paper` sets the paper's choices, and what is chosen by name overrides them.
-/// Throws InvalidInput for a number out of its range, and ChoiceWithoutEffect.
+/// The options of all stages for these choices. `paper` sets the paper's choices; a choice that is set
+/// explicitly overrides them. Throws InvalidInput for a number out of its range, and ChoiceWithoutEffect.
 BuildOptions build_options(const BuildChoices& choices);
 EvaluationOptions evaluation_options(const BuildChoices& choices);
 

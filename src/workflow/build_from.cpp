@@ -13,7 +13,7 @@ InputShape& input_named(std::vector<InputShape>& inputs, const std::string& name
   return *found;
 }
 
-// The shape's name where the shape is named by its file.
+// The name of the reference shape, which may be given as a file name.
 std::string stem_of_reference(const std::vector<InputShape>& inputs, const std::string& reference) {
   for (const InputShape& input : inputs)
     if (source_of(input) == reference) return input.stem;
@@ -24,9 +24,9 @@ BuiltModel built_of(const Cohort& cohort, const BuildOptions& options, const Run
   try {
     return build_model(surfaces_of(cohort.shapes), options, ctx);
   } catch (const TooFewShapes& e) {
-    std::string message = e.what();
+    Message message = message_of(e);
     for (const LeftOut& shape : cohort.left_out)
-      message += "\n  left out " + source_of(shape) + ": " + shape.reason;
+      message.append(shape.reason.about("\n  left out " + source_of(shape)));
     throw TooFewShapes(message);
   }
 }
@@ -48,8 +48,8 @@ BuildRecord build_from(Cohort cohort, BuildOptions options, const RunContext& ct
   record.notes = std::move(cohort.notes);
   const CohortRegistration& registration = record.built.registration;
   for (const FailedShape& shape : registration.refused_references)
-    record.notes.push_back(source_of(input_named(cohort.shapes, shape.name)) +
-                           " cannot be the reference: " + shape.reason);
+    record.notes.push_back(
+        shape.reason.about(source_of(input_named(cohort.shapes, shape.name)) + " cannot be the reference"));
   for (const FailedShape& shape : registration.failed) {
     const InputShape& input = input_named(cohort.shapes, shape.name);
     record.left_out.push_back({input.stem, input.file_name, input.sha256, shape.reason, input.label});

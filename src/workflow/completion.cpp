@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Another pose fits nearly as well: within this factor of the distance.
+// Another pose fits nearly as well if its distance is at most this factor times the smallest distance.
 constexpr double ambiguous_factor = 1.1;
 
 double mean_where(const std::vector<double>& values, const std::vector<bool>& seen, bool wanted) {
@@ -34,9 +34,9 @@ double mean_where(const std::vector<double>& values, const std::vector<bool>& se
 Mesh usable_part(const TriangleSoup& soup) {
   Mesh part = part_surface(soup);
   if (const double diagonal = bounding_box(part.positions()).diagonal(); diagonal > largest_diagonal_mm)
-    throw InvalidInput(
-        "its bounding box has a diagonal of " + std::to_string(diagonal) +
-        " mm, which is no vertebra's: its coordinates are not in mm; for a file, --units gives their unit");
+    throw InvalidInput("its bounding box has a diagonal of " + std::to_string(diagonal) +
+                           " mm, which is no vertebra's: its coordinates are not in mm; give their unit",
+                       {{RemedyKind::give_unit}});
   return part;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What `foramen complete` does about a completion: the part as it comes, and what is said of the result.
+/// The input of `foramen complete`, and its results as JSON and as a remark.
 
 #include <optional>
 #include <string>
@@ -11,15 +11,16 @@
 
 namespace foramen {
 
-/// A part of a surface [mm] as complete_surface() takes it. Throws InvalidInput as part_surface() does, and
-/// for a size that is no vertebra's.
+/// The part of a surface [mm] in the form that complete_surface() takes. Throws InvalidInput as
+/// part_surface() does, and if no vertebra has this size.
 Mesh usable_part(const TriangleSoup& soup);
 
-/// In numbers: distance_mm, matched_share, seen_share, the means of the landmarks' standard deviations where
-/// seen and where not (0: there are none), second_best_pose_mm (null: there is no other pose).
+/// The result as numbers: distance_mm, matched_share, seen_share, the mean standard deviations of the seen
+/// and of the unseen landmarks (0 if there are none), and second_best_pose_mm (null if there is no other
+/// pose).
 nlohmann::ordered_json completion_json(const CompletedSurface& completed);
 
-/// What the user should know though it is no error: that another pose fits nearly as well.
+/// A remark for the user if another pose fits nearly as well; otherwise unset.
 std::optional<std::string> completion_note(const CompletedSurface& completed);
 
 }  // namespace foramen

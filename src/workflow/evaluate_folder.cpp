@@ -73,7 +73,8 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, folder.names);
   if (!request.true_landmarks.empty()) {
-    if (!truth) throw InvalidInput("--true-landmarks needs the true correspondence: give it with --truth");
+    if (!truth)
+      throw InvalidInput("true landmarks need the true correspondence: give it", {{RemedyKind::give_truth}});
     write_true_landmarks(request.true_landmarks, cohort, *truth, ctx);
   }
 

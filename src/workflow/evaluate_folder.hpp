@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Evaluation of corresponding meshes from any tool.
+/// Evaluation of corresponding meshes that any tool made.
 
 #include <filesystem>
 #include <string>
@@ -14,7 +14,7 @@ struct EvaluateFolderRequest {
   std::filesystem::path
       corresponding;  ///< folder of corresponding meshes, or a model's folder (its corresponding/)
   std::filesystem::path
-      shapes;  ///< folder of the original surfaces; empty: distances are to the corresponding meshes
+      shapes;  ///< folder of the original surfaces; empty: distances are measured to the corresponding meshes
   std::filesystem::path truth;           ///< folder of the true correspondence; empty: unknown
   std::filesystem::path true_landmarks;  ///< folder to write true_landmarks() to, as corresponding meshes
                                          ///< that can be evaluated in turn; empty: not written. Needs truth.

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The options by which a user says which labels of label maps are meant.
+/// The options by which a user selects labels of label maps.
 
 #include <optional>
 #include <string>
@@ -35,8 +35,9 @@ void describe(Visitor& visit, MaybeConst<LabelChoices> auto& c) {
          .meaning = "also take labels that reach the border of the label map, closed flat there"});
 }
 
-/// Nothing if nothing is chosen. Throws InvalidInput for labels that are none, and for a numbering beside a
-/// file of names; IoError for a file of names that cannot be read.
+/// The request for these choices; unset if no choice is set. Throws InvalidInput for text that is no list of
+/// labels, and if both a numbering and a file of names are given. Throws IoError if the file of names cannot
+/// be read.
 std::optional<LabelRequest> label_request(const LabelChoices& choices);
 
 }  // namespace foramen

@@ -9,14 +9,14 @@
 namespace foramen {
 namespace {
 
-// A mesh in correspondence, in mm.
+// The measures of a corresponding mesh in mm.
 ShapeMeasures measured(const Measurer& measurer, const std::filesystem::path& file, LengthUnit unit) {
   TriangleSoup soup = read_mesh(file).soup;
   for (Vec3& p : soup.points) p *= millimetres_per(unit);
   try {
     return measurer(build_mesh(std::move(soup)));
   } catch (const InvalidInput& e) {
-    throw InvalidInput(file.string() + ": " + e.what());
+    throw InvalidInput(message_of(e).about(file.string()));
   }
 }
 
@@ -28,7 +28,7 @@ Measurer measurer_of(const ShapeModel& model, const MeasureDefinitions& definiti
   try {
     return {mean, definitions};
   } catch (const InvalidInput& e) {
-    throw InvalidInput(source + ": " + e.what());
+    throw InvalidInput(message_of(e).about(source));
   }
 }
 

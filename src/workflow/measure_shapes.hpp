@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Measures of all shapes of a model, or of any meshes with its landmarks.
+/// Measures of all shapes of a model, or of any meshes with the model's landmarks.
 
 #include <filesystem>
 #include <string>
@@ -13,8 +13,8 @@
 
 namespace foramen {
 
-/// Definitions bound to the mean of a model. Throws InvalidInput as Measurer does, naming the source of the
-/// definitions, their file for example.
+/// The measurer of these definitions on the mean of a model. Throws InvalidInput as Measurer does; the
+/// message names the source of the definitions, for example their file.
 Measurer measurer_of(const ShapeModel& model, const MeasureDefinitions& definitions,
                      const std::string& source);
 
@@ -23,8 +23,9 @@ struct MeasuredShape {
   ShapeMeasures measures;
 };
 
-/// Of mesh files in correspondence (a folder means the mesh files directly in it), in order of stem. Throws
-/// InvalidInput naming the file that has not the model's triangles; IoError.
+/// The measures of corresponding mesh files, in order of stem. A folder stands for the mesh files directly in
+/// it. Throws InvalidInput, which names the file, if a file does not have the model's triangles. Throws
+/// IoError.
 std::vector<MeasuredShape> measure_files(const Measurer& measurer,
                                          const std::vector<std::filesystem::path>& inputs, LengthUnit unit,
                                          const RunContext& ctx);

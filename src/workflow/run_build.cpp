@@ -13,12 +13,11 @@
 #include "inputs/subject_of.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/corresponding_folder.hpp"
+#include "modelfiles/describe_run.hpp"
 #include "modelfiles/error_maps_file.hpp"
 #include "modelfiles/folder_lock.hpp"
 #include "modelfiles/metrics_file.hpp"
 #include "modelfiles/model_folder.hpp"
-#include "modelfiles/repair_record.hpp"
-#include "modelfiles/run_json.hpp"
 #include "modelfiles/version.hpp"
 #include "pages/model_page.hpp"
 #include "workflow/build_from.hpp"
@@ -33,11 +32,12 @@ void prepare_folder(const fs::path& folder) {
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed || !fs::is_directory(folder))
-    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() +
-                  "); give another with -o");
+    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() + "); give another",
+                  {{RemedyKind::another_output}});
   const fs::path probe = folder / ".foramen-write-test";
   if (!std::ofstream(probe))
-    throw IoError(folder.string() + ": the folder cannot be written to; give another with -o");
+    throw IoError(folder.string() + ": the folder cannot be written to; give another",
+                  {{RemedyKind::another_output}});
   fs::remove(probe, failed);
 }
 
@@ -101,27 +101,31 @@ void add_refits(Evaluation& evaluation, std::span<const Shape> shapes, const Bui
   evaluation.seconds.refit = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void add_refit_notes(std::vector<std::string>& notes, const std::optional<RefitGeneralization>& refit) {
+void add_refit_notes(std::vector<Message>& notes, const std::optional<RefitGeneralization>& refit) {
   if (!refit) return;
   for (const RefitGeneralization::Failure& failure : refit->failures)
     notes.push_back("refit without " + failure.without + ": " + failure.shape + ": " + failure.reason);
 }
 
-std::vector<std::string> notes_on(const BuildRecord& record, const Evaluation& evaluation) {
-  std::vector<std::string> notes = record.notes;
+std::vector<Message> notes_on(const BuildRecord& record, const Evaluation& evaluation) {
+  std::vector<Message> notes = record.notes;
   for (const InputShape& input : record.inputs) {
     if (input.was_inward) notes.push_back(source_of(input) + ": triangles were wound inward; reversed");
     if (input.repair) notes.push_back(source_of(input) + ": repaired: " + summary(*input.repair));
   }
   const Landmarks& landmarks = record.built.landmarks;
   if (landmarks.remaining_flips > 0)
-    notes.push_back(std::to_string(landmarks.remaining_flips) +
-                    " landmark triangles are flipped or degenerate on some shape and could not be mended "
-                    "within the budget of landmarks: give more with --landmarks");
+    notes.push_back(
+        {std::to_string(landmarks.remaining_flips) +
+             " landmark triangles are flipped or degenerate on some shape and could not be mended "
+             "within the budget of landmarks: give more",
+         {{RemedyKind::more_landmarks}}});
   if (landmarks.remaining_self_intersections > 0)
-    notes.push_back(std::to_string(landmarks.remaining_self_intersections) +
-                    " pairs of landmark triangles meet on some shape whose surface does not meet itself, and "
-                    "could not be parted within the budget of landmarks: give more with --landmarks");
+    notes.push_back(
+        {std::to_string(landmarks.remaining_self_intersections) +
+             " pairs of landmark triangles meet on some shape whose surface does not meet itself, and "
+             "could not be parted within the budget of landmarks: give more",
+         {{RemedyKind::more_landmarks}}});
   add_refit_notes(notes, evaluation.refit);
   add_refit_notes(notes, evaluation.refit_by_subject);
   return notes;
@@ -165,19 +169,20 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const RunDescription asked{request.canonical_command, request.build,
                              request.labels.value_or(LabelRequest{})};
-  const auto run = run_json(asked, record, evaluation, {seconds, ctx.threads(), store->taken_up()});
-  write_file(request.output / "run.json", run.dump(2) + "\n");
-  const ModelPage page = model_page(request.output);  // of what was written: `foramen report` makes the same
+  RunRecord run = describe_run(asked, record, evaluation, {seconds, ctx.threads(), store->taken_up()});
+  BuildSummary summary;
+  summary.json = run_json(run);
+  write_file(request.output / "run.json", summary.json + "\n");
+  const ModelRecord written = record_as_written(std::move(run), std::move(evaluation), record);
+  const ModelPage page = model_page(written);
   write_file(request.output / "report.html", page.html);
   if (request.store.empty()) store->remove();
   ctx.step("write", 1);
 
-  BuildSummary summary;
   summary.left_out = record.left_out;
-  for (const auto& notes : {notes_on(record, evaluation), store->notes()})
-    summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
-  summary.text = model_summary(run, evaluation) + "\nreport.html: " + page.remark;
-  summary.json = run.dump(2);
+  summary.notes = notes_on(record, written.evaluation);
+  for (const std::string& note : store->notes()) summary.notes.emplace_back(note);
+  summary.text = model_summary(written.run, written.evaluation) + "\nreport.html: " + page.remark;
   return summary;
 }
 

@@ -3,11 +3,13 @@
 #include <cstdio>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
 #include "foramen/core/error.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 #include "io/atomic_file.hpp"
+#include "modelfiles/extraction_record.hpp"
 #include "modelfiles/repair_record.hpp"
-#include "modelfiles/run_json.hpp"
 #include "modelfiles/version.hpp"
 
 namespace foramen {
@@ -29,7 +31,7 @@ std::string line_of(const LabelSurface& label) {
   return text;
 }
 
-// One surface as it will be written.
+// One surface in the form in which it will be written.
 struct Finished {
   std::string stem;
   TriangleSoup surface;
@@ -37,7 +39,7 @@ struct Finished {
 };
 
 Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& repair, const RunContext& ctx,
-                std::vector<std::string>& notes) {
+                std::vector<Message>& notes) {
   TriangleSoup surface = label.extracted.surface;
   auto obstacle = obstacle_to_model(inspect_mesh(surface));
   ordered_json repaired_json;
@@ -49,10 +51,10 @@ Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& r
       surface = repaired.mesh.soup();
       obstacle.reset();
     } catch (const InvalidInput& e) {
-      notes.push_back(label.stem + ": cannot be repaired: " + e.what());
+      notes.push_back(message_of(e).about(label.stem + ": cannot be repaired"));
     }
   } else if (obstacle) {
-    notes.push_back(label.stem + ": not fit for a model: " + obstacle->finding + "; " + obstacle->remedy);
+    notes.push_back(obstacle->message().about(label.stem + ": not fit for a model"));
   }
   ordered_json record = {{"file", label.stem + ".ply"},
                          {"label", label.label},
@@ -64,7 +66,7 @@ Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& r
   if (!repaired_json.is_null()) record["repair"] = std::move(repaired_json);
   if (obstacle) {
     record["finding"] = obstacle->finding;
-    record["remedy"] = obstacle->remedy;
+    record["remedy"] = obstacle->advice;
   }
   return {label.stem, std::move(surface), std::move(record)};
 }
@@ -74,7 +76,7 @@ struct ReadLabelMap {
   LabelSurfaces labels;
 };
 
-// All label maps; of one that cannot be read only the reason if there are others.
+// Reads all label maps. If there are several, one that cannot be read is replaced by the reason.
 std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunContext& ctx,
                                    ExtractSummary& summary) {
   std::vector<ReadLabelMap> all;
@@ -88,13 +90,13 @@ std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunConte
       throw;
     } catch (const Error& e) {
       if (files.size() == 1) throw;
-      summary.left_out.push_back({label_map_stem(files[i]), files[i].filename().string(), {}, e.what()});
+      summary.left_out.push_back({label_map_stem(files[i]), files[i].filename().string(), {}, message_of(e)});
       continue;
     }
     for (const RefusedLabel& refused : all.back().labels.refused)
       if (refused.absent)
-        throw InvalidInput(files[i].string() + ": --labels " + std::to_string(refused.label) + ": " +
-                           refused.reason);
+        throw InvalidInput(
+            refused.reason.about(files[i].string() + ": label " + std::to_string(refused.label)));
   }
   return all;
 }
@@ -113,7 +115,7 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
     for (const RefusedLabel& refused : map.labels.refused) {
       summary.left_out.push_back({refused.stem, name, map.labels.sha256, refused.reason, refused.label});
       refused_labels.push_back(
-          {{"label", refused.label}, {"name", refused.name}, {"reason", refused.reason}});
+          {{"label", refused.label}, {"name", refused.name}, {"reason", refused.reason.text}});
     }
     for (const LabelSurface& label : map.labels.surfaces) {
       ctx.check();
@@ -125,24 +127,25 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
         {{"file", name}, {"sha256", map.labels.sha256}, {"surfaces", written}, {"refused", refused_labels}});
   }
   if (surfaces.empty()) {
-    std::string message = "no label could be extracted";
+    Message message(std::string("no label could be extracted"));
     for (const LeftOut& out : summary.left_out)
-      message += "\n  left out " + source_of(out) + ": " + out.reason;
+      message.append(out.reason.about("\n  left out " + source_of(out)));
     throw InvalidInput(message);
   }
 
   std::error_code failed;
   fs::create_directories(request.output, failed);
   if (failed || !fs::is_directory(request.output))
-    throw IoError(request.output.string() + ": cannot be made a folder (" + failed.message() +
-                  "); give another with -o");
+    throw IoError(
+        request.output.string() + ": cannot be made a folder (" + failed.message() + "); give another",
+        {{RemedyKind::another_output}});
   for (const Finished& surface : surfaces)
     write_ply(request.output / (surface.stem + ".ply"), surface.surface);
   ordered_json record = {{"version", version()},
                          {"command", request.canonical_command},
                          {"options", label_options_json(request.labels)},
                          {"files", files},
-                         {"notes", summary.notes}};
+                         {"notes", texts_of(summary.notes)}};
   summary.json = record.dump(2);
   write_file(request.output / "extract.json", summary.json + "\n");
   summary.text += "wrote " + std::to_string(surfaces.size()) +

@@ -15,7 +15,7 @@ using testing::member;
 using testing::posed;
 using testing::some_pose;
 
-constexpr double cut_x = 12, strength = 1.45;  // the bump is seen in part, the far side not
+constexpr double cut_x = 12, strength = 1.45;  // the part contains some of the bump, but not the far side
 
 CompletedSurface completed(const TriangleSoup& part, const CompleteSurfaceOptions& options = {}) {
   return complete_surface(part_surface(part), lopsided_model(), RunContext(2), options);
@@ -39,7 +39,7 @@ TEST(CompleteSurface, FindsTheMemberOfTheFamilyInAnyPose) {
     EXPECT_LT(error, 0.2 * of_mean);
     EXPECT_LT(result.distance_mm, 0.1);
     EXPECT_GT(result.matched_share, 0.95);
-    // Its pose is the way back.
+    // to_model() undoes the pose.
     EXPECT_LT((result.to_model(pose * truth.points[5]) - truth.points[5]).norm(), 0.3);
   }
 }
@@ -51,7 +51,7 @@ TEST(CompleteSurface, IsSurerWhereItSees) {
   double seen = 0, unseen = 0;
   int count_seen = 0, count_unseen = 0;
   for (std::size_t i = 0; i < deviations.size(); ++i) {
-    // A landmark well beyond the border is not taken for seen.
+    // A landmark well beyond the border does not count as seen.
     EXPECT_FALSE(truth.points[i].x() > cut_x + 5 && result.seen[i]) << truth.points[i].transpose();
     (result.seen[i] ? seen : unseen) += deviations[i];
     ++(result.seen[i] ? count_seen : count_unseen);
@@ -74,7 +74,7 @@ TEST(CompleteSurface, LessNoiseIsLessDeviation) {
 TEST(CompleteSurface, LeavesOutWhatIsNotOfTheShape) {
   const TriangleSoup truth = member(strength);
   TriangleSoup part = below_x(truth, cut_x);
-  // A plate beside it, as metal or a piece of another bone would be.
+  // A plate beside the part, in place of metal or a piece of another bone.
   const int first = static_cast<int>(part.points.size());
   for (int i = 0; i < 11; ++i)
     for (int k = 0; k < 11; ++k) part.points.emplace_back(-15 + 3 * i, -15 + 3 * k, -30);

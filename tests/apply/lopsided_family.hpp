@@ -11,7 +11,8 @@ namespace foramen::testing {
 /// A member of the family, in the model's own coordinates: its points are linear in the strength.
 inline TriangleSoup member(double strength) { return lopsided_torus_soup(60, 30, strength); }
 
-/// Of strengths 0.4, 0.7, 1, 1.3, 1.6, not aligned further: the mean is the member of strength 1.
+/// The model of the members with strengths 0.4, 0.7, 1, 1.3 and 1.6, without alignment. Its mean is the
+/// member with strength 1.
 inline ShapeModel lopsided_model() {
   std::vector<std::vector<Vec3>> shapes;
   for (int i = 0; i < 5; ++i) shapes.push_back(member(0.4 + 0.3 * i).points);

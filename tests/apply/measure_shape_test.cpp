@@ -24,7 +24,7 @@ MeasureDefinitions across() {
 
 TEST(MeasureShape, GivesTheKnownMeasuresOfATorus) {
   const ShapeMeasures measures = Measurer(torus(), across())(torus());
-  // Positions beside the mean go to its surface; landmark 0 stands at the outermost point.
+  // A position beside the mean is projected to its surface. Landmark 0 is the outermost point.
   EXPECT_LT((measures.points[0] - Vec3(major_mm + minor_mm, 0, 0)).norm(), 1e-12);
   EXPECT_NEAR(measures.distances[0], 2 * (major_mm + minor_mm), 1e-9);
   EXPECT_NEAR(measures.distances[1], 0, 1e-12);

@@ -37,7 +37,7 @@ std::vector<LandmarkObservation> random_observations(std::uint64_t seed) {
 
 Eigen::MatrixXd covariance(const ShapeDistribution& d) { return d.factor * d.factor.transpose(); }
 
-// The conditional of a joint normal distribution, written out: slow, obvious, small.
+// The reference: the conditional of a joint normal distribution, computed by the textbook formula.
 struct Conditional {
   Eigen::VectorXd mean;
   Eigen::MatrixXd covariance;
@@ -70,7 +70,7 @@ TEST(Posterior, IsTheConditionalOfTheJointDistribution) {
   }
 }
 
-// Albrecht et al. write M = Q^T Q + sigma^2 I for a common sigma.
+// Albrecht et al. have M = Q^T Q + sigma^2 I, with the same sigma for all landmarks.
 TEST(Posterior, IsThePapersFormForACommonNoise) {
   constexpr double sigma = 0.7;
   const ShapeDistribution prior = random_distribution(3);
@@ -96,7 +96,7 @@ TEST(Posterior, WithoutObservationsIsThePrior) {
   EXPECT_LT((covariance(given) - covariance(prior)).norm(), 1e-12);
 }
 
-TEST(Posterior, SeenTwiceIsSeenWithTwiceThePrecision) {
+TEST(Posterior, AnObservationGivenTwiceHasTwiceThePrecision) {
   const ShapeDistribution prior = random_distribution(6);
   std::vector<LandmarkObservation> once = random_observations(7);
   std::vector<LandmarkObservation> twice = once;
@@ -106,8 +106,9 @@ TEST(Posterior, SeenTwiceIsSeenWithTwiceThePrecision) {
             1e-12);
 }
 
-TEST(Posterior, WhatIsSeenInAPlaneOnlyStaysFreeAlongIt) {
-  // One landmark, free in all directions: across the plane it goes to the place, along it nowhere.
+TEST(Posterior, AnObservationAcrossAPlaneLeavesMotionAlongItFree) {
+  // One landmark with a prior in all directions. The match moves it across the plane to the observed place,
+  // and not along the plane.
   const ShapeDistribution prior{Eigen::Vector3d(1, 2, 3), Eigen::Matrix3d::Identity()};
   const Vec3 normal = Vec3(1, 2, 2) / 3;
   const std::vector<LandmarkObservation> seen{{0, Vec3(5, 5, 5), 1e8 * normal * normal.transpose()}};

@@ -46,7 +46,8 @@ TEST_P(ProjectShape, WithoutAShapeTheModelIsThatOfTheOthers) {
   const std::vector<std::string> left_out{names[1]};
   const AlignedModel without = model_without(model, names, left_out, GetParam());
   ASSERT_EQ(without.model.modes(), model.model.modes() - 1);
-  // Sizes that were removed are those of all shapes: variances then differ by the square of their ratio.
+  // The removed sizes are relative to the mean size of all shapes, so variances differ by the square of the
+  // ratio of mean sizes.
   const double ratio = without.model.variance()[0] / anew.model.variance()[0];
   EXPECT_NEAR(ratio, 1, GetParam() == ScaleMode::keep ? 1e-6 : 0.1);
   EXPECT_TRUE(without.model.variance().isApprox(ratio * anew.model.variance(), 1e-6));

@@ -1,9 +1,9 @@
 #include "foramen/apply/shape_distribution.hpp"
-#include "foramen/match/bending_options.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "support/torus_cohort.hpp"
 
 namespace foramen {
@@ -29,7 +29,8 @@ TEST(ShapeDistribution, ColumnsAddTheirCovariance) {
             1e-9);
 }
 
-// Any factor of a covariance gives the model of that covariance: here the modes mixed by a rotation.
+// Any factor of a covariance gives the model of this covariance. Here, the factor is that of the modes times
+// a rotation.
 TEST(ShapeDistribution, ItsPrincipalModelIsTheModelAgain) {
   const ShapeModel model = small_model();
   ShapeDistribution mixed = distribution_of(model);
@@ -45,8 +46,8 @@ TEST(ShapeDistribution, ItsPrincipalModelIsTheModelAgain) {
   EXPECT_EQ(again.mean(), model.mean());
 }
 
-// Between landmarks the covariance of each coordinate is the kernel's, to what the basis leaves out; other
-// coordinates know nothing of each other.
+// The covariance of a coordinate at two landmarks is that of the kernel, except for what the truncated basis
+// leaves out. Different coordinates are independent.
 TEST(ShapeDistribution, SmoothColumnsHaveTheKernelsCovariance) {
   const ShapeModel model = small_model();
   const SmoothDisplacementOptions options{.scales = {{30, 2}}, .left_out_mm = 0.01};

@@ -1,4 +1,4 @@
-// What a build writes, and the commands that read it.
+// The files that a build writes, and the commands that read them.
 
 #include <filesystem>
 #include <map>
@@ -65,7 +65,7 @@ TEST_F(BuiltModel, RecordHasEveryShapeWithoutAFlippedTriangle) {
   for (const auto& shape : record.at("shapes")) EXPECT_EQ(shape.at("certificate").at("flipped"), 0);
 }
 
-// Twice, so that the order in which two threads happen to finish shows.
+// The build runs twice, to detect results that depend on the order in which two threads finish.
 TEST_F(BuiltModel, TwoThreadsWriteTheSameBytesInEveryRun) {
   for (const char* name : {"two", "again"}) {
     SCOPED_TRACE(name);

@@ -1,4 +1,4 @@
-// The program as a user meets it: exit codes, messages, files.
+// The program as a user runs it: exit codes, messages, files.
 
 #include <filesystem>
 #include <fstream>
@@ -188,7 +188,7 @@ TEST_F(Cli, ABadShapeIsLeftOutAndNamedAndStrictRefuses) {
   EXPECT_EQ(run(arguments + " --strict").code, 1);
 }
 
-// A torus of genus 2 that repair can mend, and what cannot be mended.
+// A surface of genus 2 that can be repaired: a torus with a bridge.
 TriangleSoup bridged() {
   testing::TorusWithHandles torus(120, 60);
   torus.bridge(10, 20, 14);
@@ -202,7 +202,7 @@ TEST_F(Cli, RepairWritesWhatItMendedAndListsIt) {
   const Outcome inspected = run("inspect " + raw.string());
   EXPECT_EQ(inspected.code, 1);
   EXPECT_THAT(inspected.output, HasSubstr("beside the canal: bridge"));
-  EXPECT_THAT(inspected.output, HasSubstr("foramen repair"));
+  EXPECT_THAT(inspected.output, HasSubstr("(run `foramen repair`, or build with --repair)"));
 
   const Outcome mended = run("repair " + raw.string() + " -o " + out.string());
   EXPECT_EQ(mended.code, 0) << mended.output;
@@ -278,10 +278,10 @@ TEST_F(Cli, WrongUnitsAreRefusedWithTheLikelyOne) {
   }
   const Outcome refused = run(small_build(metres.string() + " -o " + (folder() / "m3").string()));
   EXPECT_EQ(refused.code, 1);
-  EXPECT_THAT(refused.output, HasSubstr("--units m"));
+  EXPECT_THAT(refused.output, HasSubstr("(--units m)"));
 }
 
-// Four lopsided tori of different size beside each other, as labels 20 to 23.
+// Four asymmetric tori of different size beside each other, as labels 20 to 23.
 fs::path spine(const fs::path& folder) {
   const auto label_at = [](const Vec3& p) {
     for (int n = 0; n < 4; ++n)
@@ -306,7 +306,7 @@ TEST_F(Cli, ExtractGivesMeshesOfLabels) {
   EXPECT_EQ(run("extract " + map + " --numbering other -o " + out).code, 2);
   const Outcome other = run("extract " + map + " --numbering totalsegmentator --json -o " + out + "3");
   EXPECT_EQ(other.code, 1) << "labels 20 to 23 are no vertebrae there";
-  EXPECT_THAT(other.output, HasSubstr("--label-names"));
+  EXPECT_THAT(other.output, HasSubstr("(--labels; --numbering or --label-names)"));
   std::ofstream(folder() / "names.csv") << "label,name\n21,second\n";
   const Outcome named = run("extract " + map + " --quiet --label-names " + (folder() / "names.csv").string() +
                             " -o " + out + "4");
@@ -334,7 +334,7 @@ TEST_F(Cli, BuildTakesLabelMapsAndSaysSo) {
   EXPECT_EQ(record.at("inputs").at(1).at("label"), 21);
   EXPECT_EQ(record.at("inputs").at(1).at("sha256"), sha256_of_file(map));
   EXPECT_EQ(record.at("shapes").at(1).at("name"), "spine_L2");
-  // In the label map's own place.
+  // The mesh has the coordinates of the label map.
   const MeshFile corresponding = read_mesh(one / "corresponding" / "spine_L2.ply");
   for (const Vec3& p : corresponding.soup.points) EXPECT_LT((p - Vec3(-27, 0, 0)).norm(), 30);
   const Outcome meshes =

@@ -1,4 +1,4 @@
-// The manual page and the completions know every command and option that the program knows.
+// The manual page and the completions contain every command and option of the program.
 #include <cstdlib>
 #include <regex>
 #include <set>
@@ -62,7 +62,7 @@ TEST(Manual, ManReadsItWithoutComplaint) {
   EXPECT_EQ(outcome.output, "");
 }
 
-// bash completes as a user would have it do.
+// The words that bash offers for completion.
 std::string completed(const std::string& words) {
   const TemporaryFolder folder;
   const auto script = folder.file("completion", run("completion bash").output);

@@ -1,4 +1,5 @@
-// Surfaces thinner than their sampling: what a build says of sampled meshes that met themselves.
+// Surfaces thinner than the spacing of landmarks: what a build reports about self-intersecting corresponding
+// meshes.
 #include <string>
 
 #include <gmock/gmock.h>
@@ -20,7 +21,7 @@ using testing::run;
 
 struct Mended {
   std::string output;
-  int before, not_mended;  // pairs of triangles, of run.json
+  int before, not_mended;  // numbers of pairs of triangles in run.json
 };
 
 Mended build_of_walls(double half_wall_mm, double width) {

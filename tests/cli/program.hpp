@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The program, run as a user runs it.
+/// Runs the program as a user does.
 
 #include <sys/wait.h>
 
@@ -24,12 +24,14 @@ inline Outcome run_shell(const std::string& command) {
   char buffer[4096];
   while (const std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
   const int status = pclose(pipe);
-  // A shell says 128 + n of a program that signal n ended; 130 is also the program's own.
+  // A shell reports 128 + n for a program that was ended by signal n. 130 is also an exit code of the program
+  // itself.
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return {code > 128 && code != 130 ? -1 : code, output};
 }
 
-/// Before a command: far less memory than lying headers claim. Sanitizers reserve terabytes: no limit then.
+/// A prefix that limits the memory of a command to far less than what wrong headers claim. With sanitizers,
+/// which reserve terabytes, there is no limit.
 #if !defined(__has_feature)
 #define __has_feature(feature) 0  // clang's
 #endif
@@ -42,7 +44,7 @@ inline const std::string in_three_gigabytes = "ulimit -v 3000000; ";
 
 inline Outcome run(const std::string& arguments) { return run_shell(FORAMEN_PROGRAM " " + arguments); }
 
-/// All files of a folder, hidden ones too, but run.json: with their bytes, by their paths in it.
+/// The bytes of all files of a folder except run.json, including hidden files, by their paths in the folder.
 inline std::map<std::string, std::string> files_of(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
   std::map<std::string, std::string> files;

@@ -1,4 +1,4 @@
-// --events and --log: what other programs and later readers learn of a run.
+// The records of --events and --log.
 #include <map>
 #include <sstream>
 #include <string>

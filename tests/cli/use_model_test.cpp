@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 using testing::Outcome;
 using testing::run;
 
-// A small model of synthetic shapes, made once for all tests; the fifth shape is not in it.
+// A small model of synthetic shapes, made once for all tests. The fifth shape is not in the model.
 class UseModel : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -84,7 +84,7 @@ TEST_F(UseModel, ProjectGivesLandmarksScoresAndResidual) {
   ASSERT_EQ(projected.code, 0) << projected.output;
   const auto shapes = nlohmann::json::parse(bytes_of(at("projected/project.json"))).at("shapes");
   ASSERT_EQ(shapes.size(), 2u);
-  // In order of stem: a shape of the model, for which it is left out as well, and a new one.
+  // In order of stem: a training shape, which is also left out for a second distance, and a new shape.
   EXPECT_EQ(shapes[0].at("shape"), "synth002");
   EXPECT_EQ(shapes[0].at("left_out").at(0), "synth002");
   EXPECT_GT(shapes[0].at("fit_without_left_out").at("mean_mm"), shapes[0].at("fit").at("mean_mm"));
@@ -100,7 +100,7 @@ TEST_F(UseModel, ProjectGivesLandmarksScoresAndResidual) {
   EXPECT_EQ(read_mesh(at("projected/residual/unseen.ply")).soup.points,
             read_mesh(at("unseen.ply")).soup.points);
 
-  // What is projected can be measured and reconstructed.
+  // The results of a projection can be measured and reconstructed.
   EXPECT_EQ(run("reconstruct " + at("model") + " " + at("projected/scores.csv") + " -o " + at("back")).code,
             0);
 }

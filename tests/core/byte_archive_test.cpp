@@ -1,4 +1,4 @@
-#include "foramen/core/byte_archive.hpp"
+#include "core/byte_archive.hpp"
 
 #include <bit>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "foramen/core/stage_store.hpp"
+#include "core/kept_results.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {

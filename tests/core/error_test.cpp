@@ -9,8 +9,8 @@
 namespace foramen {
 namespace {
 
-// Who is to blame decides who catches: our own defects are not caught with the user's mistakes, and a request
-// to stop is nobody's.
+// Code that catches Error handles mistakes of the user. It must catch neither defects of foramen nor a
+// request to stop.
 static_assert(std::is_base_of_v<Error, IoError> && std::is_base_of_v<Error, InvalidInput> &&
               std::is_base_of_v<InvalidInput, TopologyError> && std::is_base_of_v<Error, ConvergenceError> &&
               std::is_base_of_v<Error, Cancelled>);

@@ -36,7 +36,7 @@ TEST(Geometry, NormalsTurnWithTheMesh) {
   for (VertexId v : mesh.vertices()) EXPECT_NEAR((motion.linear() * before[v] - after[v]).norm(), 0, 1e-12);
 }
 
-// A triangle counts by its area, however it is cut up.
+// A triangle has the weight of its area, so cutting it into pieces changes nothing.
 TEST(Geometry, CentroidOfASurfaceIsWeightedByArea) {
   // Two triangles of areas 1/2 and 2, and the larger again in four pieces.
   const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {10, 0, 0}, {12, 0, 0}, {10, 2, 0}};

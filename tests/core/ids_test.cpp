@@ -9,7 +9,7 @@
 namespace foramen {
 namespace {
 
-// A face is never taken for a vertex, nor a number for either: what must not compile does not.
+// Conversions between ids of different kinds, and from numbers to ids, must not compile.
 static_assert(!std::is_constructible_v<FaceId, VertexId>);
 static_assert(!std::is_convertible_v<int, VertexId>);
 static_assert(!std::is_convertible_v<VertexId, int>);

@@ -11,7 +11,7 @@ namespace {
 
 using testing::torus_soup;
 
-// Runs build_mesh and returns the message of the error it must end with.
+// Runs build_mesh(), which must throw this error, and returns its message.
 template <class Expected>
 std::string refusal(const TriangleSoup& soup) {
   try {

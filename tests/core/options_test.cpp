@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/option_bytes.hpp"
+
 namespace foramen {
 namespace {
 

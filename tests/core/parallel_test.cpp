@@ -55,7 +55,7 @@ TEST(ParallelFor, OneThreadGoesInOrderAndEndsAtTheFirstError) {
   EXPECT_EQ(ran, (std::vector<int>{0, 1, 2, 3}));
 }
 
-// Which items run after the first error is a matter of timing; whose error is thrown on is not.
+// Timing decides which items run after the first error, but not which error is rethrown.
 TEST(ParallelFor, OfSeveralErrorsTheSmallestIndexThatRanIsThrownOn) {
   for (int repetition = 0; repetition < 50; ++repetition) {
     std::mutex mutex;

@@ -20,7 +20,7 @@ TEST(SurfacePoint, CoordinatesAreWeightsOfTheCorners) {
   EXPECT_EQ(position(mesh, {FaceId(1), Vec3(0, 0.5, 0.5)}), Vec3(2, 0, 0.5));
 }
 
-// The same place of two shapes in correspondence moves with the shape.
+// A point of the surface keeps its place relative to the triangles when the mesh moves.
 TEST(SurfacePoint, FollowsAnAffineMotionOfTheMesh) {
   Rng rng(1);
   const Mesh mesh = build_mesh(testing::bumpy_torus_soup(10, 7, 3));

@@ -34,7 +34,7 @@ TEST(Units, LikelyUnitOfAVertebra) {
   EXPECT_EQ(likely_unit(std::nan("")), std::nullopt);
 }
 
-// 20 and 250 mm belong to the range. Millimetres come first where two units would do: 20 to 25.
+// The range includes 20 and 250 mm. If two units are possible (20 to 25), the result is millimetres.
 TEST(Units, TheLikelyUnitMakesAVertebraOfIt) {
   for (double diagonal = 1e-3; diagonal < 1e7; diagonal *= 1.01) {
     SCOPED_TRACE(diagonal);

@@ -1,11 +1,11 @@
 #include "correspond/cohort_prior.hpp"
-#include "foramen/correspond/group_options.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
+#include "foramen/correspond/group_options.hpp"
 #include "match/smooth_displacements.hpp"
 #include "support/lopsided_torus.hpp"
 
@@ -33,7 +33,7 @@ class CohortPrior : public ::testing::Test {
     for (double& x : a) x = rng.normal();
     return a;
   }
-  // Each its own.
+  // Shapes with independent random coefficients.
   std::vector<std::vector<Vec3>> independent(int count) const {
     std::vector<std::vector<Vec3>> shapes;
     for (int i = 0; i < count; ++i)
@@ -60,7 +60,7 @@ TEST_F(CohortPrior, ShapesThatVaryInTwoWaysExplainEachOther) {
 TEST_F(CohortPrior, ShapesThatHaveNothingInCommonLeaveTheSmoothProcess) {
   constexpr int count = 6;
   const CohortPriors priors = cohort_priors(surface, functions, independent(count));
-  // The span of the others is by chance all that they explain.
+  // Independent shapes explain only the part of a shape that happens to lie in their span.
   EXPECT_NEAR(priors.unexplained_share, 1 - (count - 2) / static_cast<double>(coefficients), 0.05);
 }
 

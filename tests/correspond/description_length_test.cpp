@@ -1,5 +1,4 @@
 #include "correspond/description_length.hpp"
-#include "foramen/correspond/group_options.hpp"
 
 #include <cmath>
 
@@ -9,6 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
+#include "foramen/correspond/group_options.hpp"
 
 namespace foramen {
 namespace {
@@ -30,7 +30,7 @@ std::vector<double> random_weights(int points, Rng& rng) {
   return weights;
 }
 
-// Squared distance of a shape to another, weights summing to 1.
+// The squared distance of two shapes, with weights that sum to 1.
 double squared_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b,
                         const std::vector<double>& weights) {
   double sum = 0, total = 0;
@@ -47,7 +47,7 @@ TEST(DescriptionLength, OfTwoShapesInClosedForm) {
   const std::vector<double> one{1.0};
   EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 2}).value, 1 + std::log(18.0 / 2), 1e-12);
   EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 36}).value, 18.0 / 36, 1e-12);
-  // Shrunk by 1 - cut / variance, or to the mean where the mode is under the cut.
+  // A mode above the cut is shrunk by 1 - cut / variance, one below the cut to the mean.
   EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 2}).attractors[1][0].x(), 3 * (1 - 2.0 / 18),
               1e-12);
   EXPECT_NEAR(description_length(shapes, one, {.cut_mm2 = 36}).attractors[1][0].norm(), 0, 1e-12);
@@ -57,7 +57,7 @@ TEST(DescriptionLength, SlopeIsThatOfDifferences) {
   Rng rng(1);
   Shapes shapes = random_shapes(5, 4, rng);
   const auto weights = random_weights(4, rng);
-  const DescriptionLengthOptions options{.cut_mm2 = 0.4};  // modes on both sides of it
+  const DescriptionLengthOptions options{.cut_mm2 = 0.4};  // some modes are above the cut and some below
   const DescriptionLength at = description_length(shapes, weights, options);
   const double step = 1e-5;
   for (std::size_t i = 0; i < shapes.size(); ++i)

@@ -1,16 +1,16 @@
 #include "correspond/first_map.hpp"
-#include "correspond/propagate_loops.hpp"
-#include "correspond/transfer_homology.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "correspond/propagate_loops.hpp"
+#include "correspond/transfer_homology.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/certificate.hpp"
 #include "support/lopsided_torus.hpp"
 #include "topology/linking.hpp"
@@ -55,8 +55,8 @@ TEST_F(FirstMapTest, OfAnyTriangulationIsOneToOneAndRunsWithTheReferences) {
     }
 }
 
-// Compared as it lies beside the reference, linking numbers taken as it lies in space: of the mirror image
-// they have the other sign.
+// The shape is compared in its aligned position, while linking numbers are computed in its original position.
+// Here this is the mirror image, whose linking numbers have the other sign.
 TEST_F(FirstMapTest, LoopsOfAnotherClassAreRefused) {
   const Mesh& shape = reference.mesh;
   std::vector<Vec3> mirrored(shape.positions().begin(), shape.positions().end());
@@ -95,9 +95,9 @@ TEST_F(FirstMapTest, TranslationIsTheMeanOverTheAreaNotTheVertices) {
     area += areas[v];
   }
   ASSERT_GT(area / total, 0.5);
-  // Of the vertices less than half are on the outside.
+  // Fewer than half of the vertices are moved, but more than half of the area. An unweighted mean would fail.
   const TorusMap back = translated_onto(moved, mesh, mesh, reference_map);
-  // Circular and plain mean agree to the third order of the spread.
+  // The circular and the arithmetic mean differ only in third order of the spread.
   EXPECT_NEAR(back.turns[VertexId(0)].x() - moved.turns[VertexId(0)].x(), -0.02 * area / total, 1e-4);
 }
 

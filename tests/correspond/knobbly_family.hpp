@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A family of knobbly tori whose correspondence is known: the point of every member at a place of the torus.
+/// A family of tori with bumps whose correspondence is known by a formula.
 
 #include <vector>
 
@@ -9,8 +9,8 @@
 
 namespace foramen::testing {
 
-/// Linear in the strength. Knobs all over tell a place from its neighbours, and no motion maps a member onto
-/// itself.
+/// The point of a member at this place of the torus. It is linear in the strength. Bumps all over the surface
+/// distinguish each place from its neighbours, and no motion maps a member onto itself.
 inline Vec3 on_member(const Vec2& turns, double strength) {
   const double u = 2 * std::numbers::pi * turns.x(), v = 2 * std::numbers::pi * turns.y();
   const double knobs = 1.2 * std::sin(5 * u + 1) * std::cos(3 * v) + 0.8 * std::cos(7 * u - 2 * v);
@@ -31,10 +31,10 @@ inline std::vector<Vec3> on_member(const std::vector<Vec2>& turns, double streng
   return points;
 }
 
-/// Of training shapes; their mean is the member of strength 1.
+/// The strengths of the training shapes. Their mean is the member with strength 1.
 inline const std::vector<double> training_strengths{0.7, 0.9, 1.1, 1.3};
 
-/// A member as a new surface: triangles and order of its own.
+/// A member as a new surface, with other triangles and another order of vertices.
 inline Mesh new_member(double strength) {
   return build_mesh(renumbered(member_surface(strength, 3000).mesh.soup(), 5));
 }

@@ -1,15 +1,16 @@
 #include "foramen/correspond/mean_registrar.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <cmath>
 #include <utility>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 
 namespace foramen {
@@ -57,7 +58,7 @@ TEST(MeanRegistrar, FindsTheTrueLandmarksOfAMemberInAnyPose) {
   const std::vector<Vec3> found = registrar.landmarks_on(here, RunContext(1));
   ASSERT_EQ(found.size(), true_landmarks_of(1.25).size());
   EXPECT_LT(rms_distance(found, true_landmarks_of(1.25)), 0.3);
-  // The mean's own landmarks are farther from them.
+  // The landmarks of the mean itself are farther from the true ones.
   EXPECT_GT(rms_distance(true_landmarks_of(1), true_landmarks_of(1.25)), 0.8);
   const TriangleTree surface(here);
   for (const Vec3& p : found) EXPECT_LT(std::sqrt(surface.closest(p).squared_distance), 1e-9);
@@ -65,7 +66,8 @@ TEST(MeanRegistrar, FindsTheTrueLandmarksOfAMemberInAnyPose) {
             1e-6);
 }
 
-// Which basis of periods the mean's map is written in is nobody's choice: the loops that are found decide.
+// The loops that are found determine the basis of periods of the mean's map, so results must not depend on
+// this basis.
 TEST(MeanRegistrar, TheBasisOfTheMeansMapDoesNotMatter) {
   const TemplateSurface mean = mean_member();
   Eigen::Matrix2i b;
@@ -103,7 +105,12 @@ TEST(MeanRegistrar, RefusesASurfaceOfAnotherTopologyAndStopsWhenAsked) {
   const TriangleSoup octahedron{
       {{20, 0, 0}, {-20, 0, 0}, {0, 20, 0}, {0, -20, 0}, {0, 0, 20}, {0, 0, -20}},
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
-  EXPECT_THROW(registrar.landmarks_on(build_mesh(octahedron), RunContext(1)), TopologyError);
+  EXPECT_THAT([&] { registrar.landmarks_on(build_mesh(octahedron), RunContext(1)); },
+              ::testing::ThrowsMessage<TopologyError>(::testing::HasSubstr("genus 0")));
+  TriangleSoup open = testing::new_member(1).soup();
+  open.triangles.pop_back();
+  EXPECT_THAT([&] { registrar.landmarks_on(build_mesh(open), RunContext(1)); },
+              ::testing::ThrowsMessage<TopologyError>(::testing::HasSubstr("not closed")));
   const RunContext stopped(1);
   stopped.request_stop();
   EXPECT_THROW(registrar.landmarks_on(testing::new_member(1), stopped), Cancelled);

@@ -1,7 +1,4 @@
 #include "correspond/mean_template.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 
@@ -9,7 +6,10 @@
 
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/torus_grid.hpp"
 
 namespace foramen {
@@ -31,8 +31,8 @@ TEST(RemeshedTemplate, HasItsVerticesOnTheSurfaceWhereTheirTurnsAre) {
   }
 }
 
-// Points are linear in the strength, so that the mean of two members is the member between them, but for the
-// small rotation between members that alignment takes away.
+// Points are linear in the strength. Therefore, the mean of two members is the member between them, except
+// for the small rotation that alignment removes.
 TEST(MeanTemplate, OfTwoMembersIsTheMemberBetweenThem) {
   const testing::MappedSurface thin = testing::member_surface(0.9, 6000),
                                thick = testing::member_surface(1.1, 6000);

@@ -1,10 +1,10 @@
 #include "correspond/propagate_loops.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "support/meshes.hpp"
 #include "topology/periods.hpp"
 
@@ -44,7 +44,7 @@ TEST(PropagateLoops, OntoItselfTheLoopsAreTheReferences) {
   for (EdgeCost cost : {EdgeCost::paper, EdgeCost::length_weighted}) {
     const LoopSystem loops = propagate_loops(mesh, reference, cost);
     EXPECT_EQ(loops.basepoint, reference.loops.basepoint);
-    // The cost on the loops is all but zero, so the system found must run along them.
+    // The cost on the loops is almost zero, so the loops that are found must run along them.
     for (const EdgeLoop& loop : loops.loops)
       for (HalfedgeId h : loop) EXPECT_LT(smallest_distance(mesh.position(mesh.from(h)), reference), 1e-12);
   }

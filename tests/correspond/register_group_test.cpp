@@ -1,7 +1,4 @@
 #include "correspond/register_group.hpp"
-#include "correspond/register_shape.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -10,9 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "correspond/register_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/group_options.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/torus_cohort.hpp"
 #include "topology/linking.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 using testing::knobbly_torus_soup;
 
-// A tube round a trefoil knot.
+// A knotted torus: a tube round a trefoil knot.
 Mesh knotted_torus() {
   constexpr int along = 160, across = 12;
   const auto centre = [](double t) {
@@ -42,7 +42,8 @@ Mesh knotted_torus() {
   return build_mesh(std::move(soup));
 }
 
-// The same material points on every shape: triangulations of one resolution have the same indices.
+// Vertices with the same index are corresponding points, because all triangulations of the same resolution
+// have the same indices.
 class RegisterGroup : public ::testing::Test {
  protected:
   static constexpr int around = 60, tube = 36, count = 4;
@@ -62,10 +63,11 @@ class RegisterGroup : public ::testing::Test {
     RegisterGroupOptions options;
     options.mean = {.vertices = 1500, .grid_points = 6000};
     options.round_limit = 2;
-    options.still_mm = 0.02;  // so that there are two
+    options.still_mm = 0.02;  // small enough for two rounds
     return options;
   }
-  // Over all vertices and ordered pairs: where vertex v of a lies on b by the two maps, to vertex v of b.
+  // The mean, over all vertices v and ordered pairs (a, b) of shapes, of the distance on b between the point
+  // that the maps assign to vertex v of a and vertex v of b.
   static double mean_error(const std::vector<Mesh>& shapes, const GroupRegistration& group) {
     double sum = 0;
     int pairs = 0;
@@ -81,7 +83,7 @@ class RegisterGroup : public ::testing::Test {
     }
     return sum / pairs;
   }
-  // The same for closest points after rigid alignment to the first shape.
+  // The mean error of closest points after rigid alignment to the first shape.
   double mean_error_of_closest_points(const std::vector<Mesh>& shapes) const {
     double sum = 0;
     int points = 0;
@@ -103,7 +105,7 @@ TEST_F(RegisterGroup, RecoversTheTrueCorrespondenceWithoutAFlip) {
   const Reference reference = map_reference(shapes[0], ctx);
   const GroupRegistration group = register_group(shapes, reference, 0, ctx, small());
   for (const GroupMember& member : group.members) {
-    ASSERT_TRUE(member.registered) << member.failure;
+    ASSERT_TRUE(member.registered) << member.failure.text;
     EXPECT_TRUE(member.registered->shape_map.certificate.valid());
     EXPECT_TRUE(
         seifert_test(member.registered->homology, member.registered->seifert, reference.loops.seifert));
@@ -113,7 +115,8 @@ TEST_F(RegisterGroup, RecoversTheTrueCorrespondenceWithoutAFlip) {
 
 TEST_F(RegisterGroup, AnotherReferenceLeadsToTheSameCorrespondence) {
   const std::vector<Mesh> shapes = cohort();
-  // Mean distance of shape 0's vertices on shape 1 by way of one reference to those by way of another.
+  // The mean distance on shape 1 between the points that correspond to the vertices of shape 0 with one
+  // reference and with another.
   const auto difference = [&](const RegisterGroupOptions& options) {
     std::vector<std::vector<Vec3>> carried;
     for (int reference : {0, 2}) {
@@ -133,8 +136,9 @@ TEST_F(RegisterGroup, AnotherReferenceLeadsToTheSameCorrespondence) {
   EXPECT_LT(with_mean, difference(without_mean));
 }
 
-// Shapes of one mode of variation: where a shape slides, the others say so.
-TEST_F(RegisterGroup, WhatTheOtherShapesTellBringsItNearerToTheTruth) {
+// The shapes have one mode of variation, so the position of points on one shape follows from the other
+// shapes.
+TEST_F(RegisterGroup, ThePriorFromTheOtherShapesLowersTheError) {
   const testing::SmoothDisplacement mode(0.6, 90, Rng(22));
   std::vector<Mesh> shapes;
   for (int i = 0; i < 6; ++i) {
@@ -186,7 +190,7 @@ TEST_F(RegisterGroup, TheDescriptionLengthNeverGrows) {
   RegisterGroupOptions options = small();
   options.round_limit = 0;
   options.description_rounds = 3;
-  options.lambda = 1e-3;  // the distortion is not part of the length
+  options.lambda = 1e-3;  // so that the distortion hardly contributes to the energy
   const GroupRegistration group = register_group(shapes, map_reference(shapes[0], ctx), 0, ctx, options);
   ASSERT_EQ(group.description_lengths.size(), 4u);
   for (std::size_t k = 1; k < 4; ++k)
@@ -236,13 +240,14 @@ TEST_F(RegisterGroup, ThreadsChangeNothing) {
 
 TEST_F(RegisterGroup, AShapeThatFailsACheckIsLeftOutAndTheOthersGoOn) {
   std::vector<Mesh> shapes = cohort();
-  // The loops of the reference have no counterpart on it.
+  // The loops of the reference have no counterpart on a knotted torus.
   shapes[2] = knotted_torus();
   const Reference reference = map_reference(shapes[0], ctx);
   const GroupRegistration group = register_group(shapes, reference, 0, ctx, small());
   EXPECT_FALSE(group.members[2].registered);
-  EXPECT_THAT(group.members[2].failure, ::testing::HasSubstr("loops"));
-  for (std::size_t i : {0u, 1u, 3u}) EXPECT_TRUE(group.members[i].registered) << group.members[i].failure;
+  EXPECT_THAT(group.members[2].failure.text, ::testing::HasSubstr("loops"));
+  for (std::size_t i : {0u, 1u, 3u})
+    EXPECT_TRUE(group.members[i].registered) << group.members[i].failure.text;
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "correspond/register_shape.hpp"
-#include "foramen/correspond/register_options.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/register_options.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen {

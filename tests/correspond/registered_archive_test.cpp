@@ -1,5 +1,5 @@
-// What is kept of a registration comes back whole: every number is set to one of its own, so that one that is
-// not kept, or two that are exchanged, show.
+// An archived registration is restored completely. Every number has a different value, so that the tests
+// detect numbers that are missing or exchanged.
 #include "correspond/registered_archive.hpp"
 #include "correspond/register_shape.hpp"
 #include "foramen/correspond/registration_frame.hpp"

@@ -1,6 +1,4 @@
 #include "correspond/shape_map.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "parameterize/optimise_map.hpp"
 
 #include <cmath>
 #include <string>
@@ -9,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/mapped_torus.hpp"
+#include "parameterize/optimise_map.hpp"
 
 namespace foramen {
 namespace {
@@ -37,7 +37,7 @@ std::string failure(const Work& work) {
 
 class Certified : public ::testing::Test {
  protected:
-  // Two searches that end with this map on the input mesh.
+  // The result of two searches that end with this map on the input mesh.
   ShapeMap certified_as(const TorusMap& map) const {
     OptimisedMap full = searched(OptimiseStatus::converged, 2, 6, 5);
     full.map = map;
@@ -47,7 +47,7 @@ class Certified : public ::testing::Test {
   const testing::MappedTorus torus_ = testing::mapped_bumpy_torus(24, 10, 3);
 };
 
-TEST_F(Certified, TellsOfBothSearchesAndHoldsTheSecondsMap) {
+TEST_F(Certified, ReportsBothSearchesAndHoldsTheMapOfTheSecond) {
   const ShapeMap result = certified_as(torus_.map);
   EXPECT_EQ(result.iterations, 5);
   EXPECT_EQ(result.initial_energy, 10);
@@ -77,7 +77,7 @@ TEST_F(Certified, PositionsAreWrappedAndQuantised) {
 TEST_F(Certified, AFlippedTriangleIsRefusedWithTheNumber) {
   TorusMap bad = torus_.map;
   const HalfedgeId h(0);
-  // One end of an edge is drawn across the other end, beyond the triangles there.
+  // One end of an edge is moved across the other end, beyond the triangles there.
   const VertexId a = torus_.mesh.from(h), b = torus_.mesh.to(h);
   bad.turns[a] = bad.turns[b] + bad.jumps[h].cast<double>() +
                  0.7 * (bad.turns[b] + bad.jumps[h].cast<double>() - bad.turns[a]);
@@ -92,7 +92,7 @@ TEST_F(Certified, AFlippedTriangleIsRefusedWithTheNumber) {
 
 TEST(RequireConverged, OnlyALimitOfIterationsIsRefused) {
   EXPECT_NO_THROW(require_converged(searched(OptimiseStatus::converged, 200, 9, 8), "working"));
-  // A line search stalls where rounding leaves nothing to gain: at the minimum.
+  // A line search stalls at the minimum, where rounding prevents further improvement.
   EXPECT_NO_THROW(require_converged(searched(OptimiseStatus::line_search_stalled, 17, 9, 8), "working"));
   const std::string said =
       failure([] { require_converged(searched(OptimiseStatus::iteration_limit, 200, 9, 8), "working"); });

@@ -1,5 +1,4 @@
 #include "correspond/soft_neighbours.hpp"
-#include "foramen/correspond/register_options.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/rng.hpp"
+#include "foramen/correspond/register_options.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {
@@ -14,7 +14,7 @@ namespace {
 
 using testing::bumpy_torus_soup;
 
-// The reference's torus coordinates are arbitrary here: the term only looks them up.
+// The torus positions of the reference are arbitrary here, because the term only reads them.
 struct Scene {
   Mesh reference = build_mesh(bumpy_torus_soup(12, 8, 1));
   Mesh shape = build_mesh(bumpy_torus_soup(10, 7, 2));
@@ -27,7 +27,7 @@ struct Scene {
   }
 };
 
-// Equation 4 written down again, slowly.
+// Equation 4, computed directly from its definition.
 double equation4(const Scene& scene, VertexId j, const Vec2& x, int q, double eps) {
   const Vec3& p = scene.shape.position(j);
   std::vector<std::pair<double, int>> all;
@@ -80,7 +80,7 @@ TEST(SoftNeighbours, GradientAndHessianAreDifferences) {
 TEST(SoftNeighbours, IsPeriodicAndRelativeWeightsSumToOne) {
   const Scene scene;
   const double far_apart =
-      1e4;  // every neighbour then counts as equally far, so the value tells the sum of weights
+      1e4;  // all neighbours then have the same distance, so the value gives the sum of weights
   const SoftNeighbours term(scene.shape, scene.reference, scene.map, {.smoothing = far_apart});
   const SoftNeighbours sharp(scene.shape, scene.reference, scene.map);
   for (VertexId v : scene.shape.vertices()) {

@@ -1,11 +1,11 @@
 #include "correspond/surface_targets.hpp"
-#include "correspond/template_surface.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 
+#include "correspond/template_surface.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/mapped_torus.hpp"
 
 namespace foramen {

@@ -1,8 +1,4 @@
 #include "correspond/template_metric.hpp"
-#include "correspond/template_surface.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "parameterize/optimise_map.hpp"
-#include "sampling/lift_to_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "correspond/mean_template.hpp"
+#include "correspond/template_surface.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
+#include "parameterize/optimise_map.hpp"
+#include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 
 namespace foramen {
@@ -50,7 +50,7 @@ TEST(TemplateMetric, ToItselfTheIdentityHasNoDistortionButThatOfInterpolation) {
   const RunContext ctx(1);
   const OptimisedMap same = optimise_map(torus.mesh, torus.map, ctx, {.iteration_limit = 1}, nullptr, &at);
   EXPECT_NEAR(same.initial_energy, 4, 0.01);
-  // In the flat plane the same map is distorted.
+  // Measured in the flat plane, the same map is distorted.
   EXPECT_GT(optimise_map(torus.mesh, torus.map, ctx, {.iteration_limit = 1}).initial_energy, 4.2);
 }
 

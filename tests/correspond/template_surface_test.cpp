@@ -1,15 +1,15 @@
 #include "correspond/template_surface.hpp"
-#include "foramen/correspond/registration_frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/mapped_torus.hpp"
 
 namespace foramen {
 namespace {
 
-// The flat torus of these sides, whose map is the obvious one, and its metric in the plane.
+// A flat torus with these sides, its isometric map, and its metric in the plane.
 TemplateSurface flat_template(double length_mm, double width_mm) {
   constexpr int around = 12, tube = 8;
   const Mesh mesh = testing::folded_flat_torus(around, tube, length_mm, width_mm);

@@ -1,15 +1,15 @@
 #include "correspond/transfer_homology.hpp"
-#include "correspond/propagate_loops.hpp"
-#include "foramen/correspond/registration_frame.hpp"
-#include "topology/periods.hpp"
 
 #include <gtest/gtest.h>
 
+#include "correspond/propagate_loops.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/initial_map.hpp"
 #include "support/meshes.hpp"
 #include "topology/linking.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {
@@ -23,7 +23,7 @@ Eigen::Matrix2i matrix(int a, int b, int c, int d) {
   return m;
 }
 
-// A reference and a shape of it: the same kind of torus, another triangulation, other bumps, its own loops.
+// A reference and a shape: the same kind of torus with another triangulation, other bumps and its own loops.
 struct Pair {
   ReferenceLoops reference;
   TorusMap reference_map;
@@ -99,8 +99,8 @@ TEST(TransferHomology, BothSignsChangedMakeTheMapsDisagree) {
   }
 }
 
-// A finished map of the right class passes; a twist, a swap, a sign do not, though none of them flips a
-// triangle.
+// A finished map of the right class passes. A twist, an exchange or a reversal of the loops is refused,
+// although none of them flips a triangle.
 TEST(TransferHomology, AFinishedMapOfAnotherClassIsRefused) {
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);

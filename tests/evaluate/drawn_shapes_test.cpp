@@ -13,14 +13,14 @@ namespace {
 
 const DrawnShapesOptions few{.draws = 40, .seed = 5};
 
-// The distribution of a standard normal number.
+// The distribution function of the standard normal distribution.
 double below(double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); }
 
-// P(|z| > 1) of a normal number that is known to lie within 2.
+// P(|z| > 1 given |z| < 2) for a standard normal number z.
 const double beyond_one = 2 * (below(2) - below(1)) / (below(2) - below(-2));
 
-// A square of four triangles about a centre that one mode moves sideways: to the side's middle at one
-// standard deviation. Beyond, a triangle is turned over and lies on its neighbours.
+// A square of four triangles around a centre, which one mode moves sideways. At one standard deviation the
+// centre reaches the middle of a side. Beyond it, one triangle is flipped and lies on its neighbours.
 ShapeModel square_with_moving_centre() {
   const std::vector<Vec3> square{Vec3(0, 0, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0),
                                  Vec3(-1, -1, 0)};
@@ -33,7 +33,7 @@ ShapeModel square_with_moving_centre() {
 TEST(DrawnShapes, SharesAreThoseOfTheTruncatedNormalDistribution) {
   const DrawnShapes drawn = drawn_shapes(square_with_moving_centre(), {.draws = 20000}, RunContext(2));
   const double deviation = std::sqrt(beyond_one * (1 - beyond_one) / 20000);
-  // Without truncation the share would be P(|z| > 1), 10 deviations more.
+  // Without truncation the share would be P(|z| > 1), which is 10 standard errors larger.
   EXPECT_NEAR(drawn.folded.mean, beyond_one, 4 * deviation);
   EXPECT_NEAR(drawn.folded.standard_error, deviation, 0.02 * deviation);
   EXPECT_EQ(drawn.opposing_mean.mean, drawn.folded.mean);

@@ -1,6 +1,4 @@
 #include "evaluate/error_map.hpp"
-#include "foramen/evaluate/representation.hpp"
-#include "spatial/flips.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +8,9 @@
 #include <limits>
 #include <set>
 
+#include "foramen/evaluate/representation.hpp"
 #include "foramen/spatial/surface_distance.hpp"
+#include "spatial/flips.hpp"
 #include "support/meshes.hpp"
 #include "support/torus_cohort.hpp"
 
@@ -45,7 +45,7 @@ ClosestPoint closest_of_all(const Mesh& mesh, const Vec3& query) {
   return best;
 }
 
-// All triangles against all points.
+// The expected values are computed by comparing all triangles with all points.
 TEST(ErrorMap, IsTheLargestDistanceAroundEachLandmark) {
   const Pair pair = deformed_pair();
   const Mesh& mesh = pair.corresponding;

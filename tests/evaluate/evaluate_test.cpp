@@ -73,7 +73,7 @@ TEST(Compactness, OfWeightedLandmarksIsTheWeightedMeanVariance) {
 
 TEST(Representation, IsSurfaceDistanceAndFlipsOfEachShape) {
   CorrespondingCohort cohort = torus_cohort({.shapes = 3});
-  // One landmark of shape 1 is pulled across its neighbours.
+  // One landmark of shape 1 is moved across its neighbours.
   cohort.corresponding[1][30] += 1.6 * (cohort.corresponding[1][38] - cohort.corresponding[1][30]);
   // Two vertices of the input of shape 2, on opposite sides of its tube, change places.
   std::vector<Vec3> swapped(cohort.inputs[2].positions().begin(), cohort.inputs[2].positions().end());

@@ -27,7 +27,7 @@ std::vector<double> flat(const Generalization& g) {
   return numbers;
 }
 
-/// The error of one shape by a model of others, step by step as it is defined.
+/// The error of one shape and a model of the others, computed step by step from its definition.
 ShapeError by_definition(const CorrespondingCohort& cohort, std::size_t shape,
                          const std::vector<std::size_t>& others, int modes, ScaleMode scale,
                          const std::vector<double>& weights = {}) {
@@ -69,8 +69,8 @@ TEST(Generalization, LeavesEachShapeOut) {
   }
 }
 
-// Models of all shapes but one are as many as shapes and as large as all of them: together they would not
-// fit.
+// There is one model per shape, and each is about as large as all shapes together, so they must not be in
+// memory at the same time.
 TEST(Generalization, HoldsOneModelAtATime) {
   constexpr int shapes = 24;
   const CorrespondingCohort cohort =
@@ -81,7 +81,7 @@ TEST(Generalization, HoldsOneModelAtATime) {
     generalization(cohort, options, RunContext(1, [&](const Progress&) {
                      most = std::max(most, testing::heap_in_use() - before);
                    }));
-    // Aligned shapes and modes.
+    // A model consists of aligned shapes and modes.
     const double model = 2.0 * shapes * cohort.landmarks() * sizeof(Vec3);
     EXPECT_LT(most, 4 * model);
   }
@@ -108,7 +108,7 @@ TEST(Generalization, LeavesEachSubjectOut) {
   cohort.subjects = {"b", "a", "b", "c", "a", "b"};
   const Generalization g = generalization(cohort, by_subject, RunContext(2));
   EXPECT_EQ(g.groups, 3);
-  ASSERT_EQ(g.by_modes.size(), 2u);  // b leaves 3 shapes, which have 2 modes
+  ASSERT_EQ(g.by_modes.size(), 2u);  // without subject b there are 3 shapes, which have 2 modes
   for (std::size_t i = 0; i < 6; ++i) {
     std::vector<std::size_t> others;
     for (std::size_t o = 0; o < 6; ++o)
@@ -117,8 +117,9 @@ TEST(Generalization, LeavesEachSubjectOut) {
   }
 }
 
-TEST(Generalization, AShapeSeenInAnotherOfItsSubjectIsNotSeenInThisForm) {
-  // Twins: without one shape its twin still shows it to the model; without the subject nobody does.
+TEST(Generalization, LeavingOutASubjectLeavesOutAllItsShapes) {
+  // Every subject has two equal shapes. If only one of them is left out, the model still contains its twin;
+  // if the subject is left out, it does not.
   CorrespondingCohort cohort = torus_cohort({.shapes = 8});
   for (std::size_t i = 0; i < 8; i += 2) {
     cohort.corresponding[i + 1] = cohort.corresponding[i];
@@ -133,7 +134,8 @@ TEST(Generalization, AShapeSeenInAnotherOfItsSubjectIsNotSeenInThisForm) {
 
 TEST(Generalization, AOneModeFamilyIsDescribedByOneMode) {
   CorrespondingCohort cohort = torus_cohort({.shapes = 6});
-  // Stretched along the axis: x_s = x + s y, symmetric under the rotations that alignment might choose.
+  // The shapes are stretched along the axis: x_s = x + s y. They are symmetric, so alignment does not rotate
+  // them.
   const TriangleSoup base = testing::torus_soup(20, 8, 30, 10);
   cohort.triangles = base.triangles;
   for (std::size_t s = 0; s < 6; ++s) {
@@ -142,7 +144,7 @@ TEST(Generalization, AOneModeFamilyIsDescribedByOneMode) {
     cohort.inputs[s] = build_mesh({cohort.corresponding[s], base.triangles});
   }
   const Generalization g = generalization(cohort, by_shape, RunContext(1));
-  for (const ErrorsAtModes& e : g.by_modes) {  // also beyond the one mode that there is
+  for (const ErrorsAtModes& e : g.by_modes) {  // includes numbers of modes above the single existing mode
     EXPECT_LT(e.hausdorff.mean, 1e-9);
     EXPECT_LT(e.mean_surface.mean, 1e-9);
     EXPECT_LT(e.landmark_rms.mean, 1e-9);

@@ -17,7 +17,7 @@ using testing::bumpy_torus_soup;
 using testing::renumbered;
 using testing::torus_soup;
 
-/// A strip of needles: heights down to 1e-9 of their length, and triangles without area.
+/// A strip of thin triangles, with heights down to 1e-9 of their length, and of triangles without area.
 TriangleSoup needles() {
   TriangleSoup soup = torus_soup(12, 6);
   for (std::size_t i = 0; i < soup.points.size(); i += 3)
@@ -40,7 +40,7 @@ std::vector<std::pair<std::string, Mesh>> meshes() {
           {"far from the origin", build_mesh(shifted(torus_soup(20, 10), Vec3(4000, -900, 300)))}};
 }
 
-/// Points near and far, on vertices, edges and faces.
+/// Query points near and far from the mesh, and on vertices, edges and faces.
 std::vector<Vec3> queries(const Mesh& mesh, int count) {
   Rng rng(7);
   const BoundingBox box = bounding_box(mesh.positions());

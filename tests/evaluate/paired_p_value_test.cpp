@@ -24,7 +24,7 @@ TEST(PairedPValue, OfThreeDifferencesByHand) {
   EXPECT_EQ(p_of({1, 1, -1}), 1);  // |sums| 3, 1, 1, 1
 }
 
-TEST(PairedPValue, TheFewestAndTheLeast) {
+TEST(PairedPValue, OfVeryFewAndOfZeroDifferences) {
   EXPECT_EQ(p_of({5}), 1);
   EXPECT_EQ(p_of({5, 1}), 0.5);
   EXPECT_EQ(p_of({0, 0, 0, 0}), 1);
@@ -33,7 +33,7 @@ TEST(PairedPValue, TheFewestAndTheLeast) {
   EXPECT_EQ(paired_p_value(positive), std::ldexp(1.0, -19));
 }
 
-// 0.1 + 0.2 - 0.3 is not 0 in doubles; as a difference of measures it is.
+// 0.1 + 0.2 - 0.3 is not 0 in floating point, but must count as equal to 0.
 TEST(PairedPValue, TiesCountWhateverTheLastDigits) {
   EXPECT_EQ(p_of({0.1, 0.2, -0.3}), 1);
   EXPECT_EQ(p_of({0.1, 0.2, 0.3 + 1e-16, 0.0}), 0.25);
@@ -42,7 +42,7 @@ TEST(PairedPValue, TiesCountWhateverTheLastDigits) {
   EXPECT_EQ(p_of({1, 1, -1, 1}), 10.0 / 16);  // at most one sign, or all but at most one, against the others
 }
 
-// Every pattern, its sum taken anew.
+// Enumerates all patterns and computes each sum separately.
 double brute_force(const std::vector<double>& d) {
   double observed = 0;
   for (const double x : d) observed += x;

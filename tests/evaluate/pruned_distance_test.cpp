@@ -29,7 +29,7 @@ SurfaceDistance oracle(const Mesh& a, const Mesh& b) {
 TEST(MeasuredSurface, ClustersHoldEveryPointOnce) {
   const Mesh mesh = aligned_inputs()[0];
   MeasuredSurface surface(mesh, samples, seed);
-  for (const double stretch : {1.0, 1.7}) {  // at first, and after a motion
+  for (const double stretch : {1.0, 1.7}) {  // before and after a motion
     std::vector<Vec3> expected, found;
     for (const Vec3& p : mesh.positions()) expected.push_back(Vec3(stretch, 1, 1 / stretch).cwiseProduct(p));
     surface.move_to(expected);
@@ -132,7 +132,7 @@ TEST(ClosestShapeSearch, FindsWhatComparingAllFinds) {
         EXPECT_EQ(search.smallest_mean(), mean);
         EXPECT_EQ(search.smallest_hausdorff([](std::size_t) { return 0.0; }, [](std::size_t, double) {}),
                   hausdorff);
-        std::vector<double> all(training.size(), 0);  // all wanted: all found
+        std::vector<double> all(training.size(), 0);  // if all shapes are requested, all are found
         search.smallest_hausdorff([](std::size_t) { return infinity; },
                                   [&](std::size_t i, double d) { all[i] = d; });
         for (std::size_t i = 0; i < training.size(); ++i)

@@ -26,7 +26,7 @@ Mesh square() {
   return build_mesh({{{1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
 }
 
-// Three squares, each at a height above its input and in a pose of its own.
+// Three squares, each at another height above its input and in another pose.
 CorrespondingCohort squares(const std::array<double, 3>& heights, const std::array<Vec2, 3>& centres) {
   CorrespondingCohort cohort;
   cohort.triangles = fan_triangles;
@@ -92,7 +92,7 @@ TEST(RepresentationOfSquares, ACentreOnItsSideLeavesATriangleWithoutArea) {
   EXPECT_EQ(r.shapes[0].degenerate, 0);
 }
 
-// Counted on the input alone: what the scan is to blame for.
+// Self-intersections of the input are counted separately, because the correspondence does not cause them.
 TEST(RepresentationOfSquares, AnInputThatMeetsItselfIsCountedAsTheInputs) {
   CorrespondingCohort cohort = squares({1, 1, 1}, {middle, middle, middle});
   TriangleSoup crossed = cohort.inputs[1].soup();

@@ -1,4 +1,4 @@
-// An evaluation that was cut off goes on where it was, to the same figures.
+// An interrupted evaluation continues from its kept parts and gives the same figures.
 #include <gtest/gtest.h>
 
 #include "evaluate/error_archive.hpp"

@@ -28,7 +28,7 @@ TEST(TruthError, FloorIsTheDistanceOfTruthAndInput) {
   CorrespondingCohort cohort = testing::torus_cohort({.shapes = 3});
   const TrueCorrespondence truth = truth_of(cohort);
   const TruthError apart = truth_error(cohort, truth, RunContext(1));
-  EXPECT_GT(apart.floor.mean, 1e-3);  // the inputs have other triangles
+  EXPECT_GT(apart.floor.mean, 1e-3);  // the floor is positive, because the inputs have other triangles
   EXPECT_LT(apart.floor.max, 3);
   for (std::size_t s = 0; s < 3; ++s)
     cohort.inputs[s] = build_mesh({cohort.corresponding[s], cohort.triangles});
@@ -50,13 +50,13 @@ TEST(TrueLandmarks, AreFoundAgainFromThoseOfTheFirstShapeAlone) {
 TEST(TruthError, MeasuresPlantedErrorsExactly) {
   CorrespondingCohort cohort = testing::torus_cohort({.shapes = 3, .shapes_per_subject = 1});
   const TrueCorrespondence truth = truth_of(cohort);
-  // In shape 1 two landmarks change places, in shape 2 one sits at its neighbour's place.
+  // In shape 1 two landmarks are exchanged, and in shape 2 one landmark is moved to its neighbour's place.
   std::swap(cohort.corresponding[1][10], cohort.corresponding[1][90]);
   cohort.corresponding[2][40] = truth.shapes[2][41];
 
   std::vector<double> expected;
   const auto source = [](std::size_t shape,
-                         std::size_t i) {  // the vertex at which landmark i of a shape sits
+                         std::size_t i) {  // the vertex at landmark i of a shape
     if (shape == 1 && i == 10) return std::size_t{90};
     if (shape == 1 && i == 90) return std::size_t{10};
     if (shape == 2 && i == 40) return std::size_t{41};
@@ -80,7 +80,8 @@ TEST(TruthError, MeasuresPlantedErrorsExactly) {
 }
 
 TEST(TruthError, MeasuresSlidingAndItsPercentile) {
-  // All landmarks of one of three shapes slide one vertex along the tube: of six ordered pairs four see it.
+  // All landmarks of one of three shapes are moved by one vertex along the tube, which affects four of six
+  // ordered pairs.
   CorrespondingCohort cohort =
       testing::torus_cohort({.shapes = 3, .landmark_around = 20, .landmark_tube = 8});
   const TrueCorrespondence truth = truth_of(cohort);

@@ -14,20 +14,23 @@
 #include "io/table_file.hpp"
 #include "modelfiles/corresponding_folder.hpp"
 #include "support/meshes.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using testing::bytes_of;
-using ::testing::HasSubstr;
+using testing::offers;
+using testing::says;
 using testing::TemporaryFolder;
 
-// Coordinates are of single precision, a vertebra's size.
+// Coordinates have single precision and the size of a vertebra.
 constexpr double tolerance = 1e-4;
 
-// Five shapes of the size of vertebrae, in single precision as PLY has them, in folder/meshes.
+// Five shapes of the size of vertebrae in folder/meshes, in the single precision of PLY files.
 class Convert : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -48,13 +51,8 @@ class Convert : public ::testing::Test {
     more.output = output;
     return convert(more, RunContext(1));
   }
-  std::string refusal(const fs::path& input, const fs::path& output, const ConvertRequest& more = {}) const {
-    try {
-      converted(input, output, more);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "not refused";
+  Message refusal(const fs::path& input, const fs::path& output, const ConvertRequest& more = {}) const {
+    return testing::refusal([&] { converted(input, output, more); });
   }
   void expect_the_same_meshes(const fs::path& folder) const {
     const CorrespondingFolder a = read_corresponding(meshes()), b = read_corresponding(folder);
@@ -67,7 +65,7 @@ class Convert : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-// Through every format that holds the shapes' own coordinates, and back to the very same meshes.
+// Converting to each format that holds the shapes' own coordinates, and back, gives the same meshes.
 TEST_F(Convert, ShapesComeBackTheSame) {
   const ConvertRequest with_triangles{.input = {}, .output = {}, .triangles = meshes() / "L0.ply"};
   for (const char* name : {"a.tps", "a.csv", "study/a.swproj"}) {
@@ -88,7 +86,7 @@ TEST_F(Convert, ShapesMakeAModelThatHoldsThem) {
   const StatismoModel model = read_statismo(file("model.h5"));
   EXPECT_EQ(model.variance.size(), 4);
   EXPECT_EQ(model.shape_uris.front(), "L0");
-  // The training shapes of the model are the meshes up to a motion.
+  // The training shapes of the model are the meshes, except for a rigid motion.
   converted(file("model.h5"), file("aligned"));
   const CorrespondingFolder a = read_corresponding(meshes()), b = read_corresponding(file("aligned"));
   for (std::size_t i = 0; i < a.shapes.size(); ++i) {
@@ -115,7 +113,8 @@ TEST_F(Convert, ScoresAreThoseOfTheModel) {
   EXPECT_EQ(parse_number(table.rows.at(2).at(table.column("mode3"))), scores(2, 2));
 }
 
-// World particles are what the project's transforms make of local ones, all near each other.
+// The transforms of the project map local particles to world particles, in which all shapes are near each
+// other.
 TEST_F(Convert, ProjectOfShapeWorksHangsTogether) {
   converted(meshes(), file("a.swproj"));
   const auto subjects = read_shapeworks(file("a.swproj"));
@@ -141,7 +140,7 @@ TEST_F(Convert, RasIsTurnedToLps) {
     write_ply(file("ras") / (lps.names[i] + ".ply"), soup, AnatomicalSpace::ras);
   }
   const ConvertSummary summary = converted(file("ras"), file("turned"));
-  EXPECT_THAT(summary.notes, ::testing::Contains(HasSubstr("5 of 5 meshes are in RAS")));
+  EXPECT_THAT(summary.notes, ::testing::Contains(says("5 of 5 meshes are in RAS")));
   expect_the_same_meshes(file("turned"));
   EXPECT_EQ(read_mesh(file("turned") / "L0.ply").space, AnatomicalSpace::lps);
 }
@@ -150,9 +149,11 @@ TEST_F(Convert, UnitsBecomeMillimetres) {
   const ConvertRequest metres{.input = {}, .output = {}, .unit = LengthUnit::metre};
   converted(meshes(), file("m.tps"), metres);
   EXPECT_EQ(read_tps(file("m.tps"))[1].points[3], 1000 * read_corresponding(meshes()).shapes[1][3]);
-  EXPECT_THAT(converted(meshes(), file("m2.tps"), metres).notes, ::testing::Contains(HasSubstr("--units")));
+  EXPECT_THAT(converted(meshes(), file("m2.tps"), metres).notes,
+              ::testing::Contains(offers({{RemedyKind::give_unit}})));
   converted(meshes(), file("a.h5"));
-  EXPECT_THAT(refusal(file("a.h5"), file("b.tps"), metres), HasSubstr("a model is in mm"));
+  EXPECT_THAT(refusal(file("a.h5"), file("b.tps"), metres),
+              AllOf(says("a model is in mm"), offers({{RemedyKind::leave_unit_out}})));
 }
 
 TEST_F(Convert, LandmarksForScalismo) {
@@ -164,27 +165,27 @@ TEST_F(Convert, LandmarksForScalismo) {
 }
 
 TEST_F(Convert, WhatCannotBeIsRefused) {
-  EXPECT_THAT(refusal(file("nothing"), file("a.h5")), HasSubstr("no such file or folder"));
-  EXPECT_THAT(refusal(meshes() / "L0.ply", file("a.h5")), HasSubstr("none of what can be converted"));
-  EXPECT_THAT(refusal(meshes(), file("a.ply")), HasSubstr("--to ply"));
+  EXPECT_THAT(refusal(file("nothing"), file("a.h5")), says("no such file or folder"));
+  EXPECT_THAT(refusal(meshes() / "L0.ply", file("a.h5")), says("none of what can be converted"));
+  EXPECT_THAT(refusal(meshes(), file("a.ply")), offers({{RemedyKind::choose_format, "ply"}}));
   EXPECT_THAT(
       refusal(meshes(), file("a.txt"), {.input = {}, .output = {}, .format = ExchangeFormat::statismo}),
-      HasSubstr("ends in .h5"));
-  EXPECT_THAT(refusal(meshes(), meshes() / "model.h5"), HasSubstr("lies in the folder"));
+      says("ends in .h5"));
+  EXPECT_THAT(refusal(meshes(), meshes() / "model.h5"), says("lies in the folder"));
   converted(meshes(), file("a.tps"));
-  EXPECT_THAT(refusal(file("a.tps"), file("a.h5")), HasSubstr("--triangles"));
+  EXPECT_THAT(refusal(file("a.tps"), file("a.h5")), offers({{RemedyKind::give_triangles}}));
   write_ply(file("small.ply"), testing::torus_soup(5, 4));
   EXPECT_THAT(
       refusal(file("a.tps"), file("a.h5"), {.input = {}, .output = {}, .triangles = file("small.ply")}),
-      HasSubstr("has 20 vertices"));
+      says("has 20 vertices"));
   // Meshes of another set would be taken for a part of this one.
   fs::create_directories(file("full"));
   write_ply(file("full") / "old.ply", testing::torus_soup(5, 4));
-  EXPECT_THAT(refusal(meshes(), file("full")), HasSubstr("old.ply"));
+  EXPECT_THAT(refusal(meshes(), file("full")), says("old.ply"));
   EXPECT_FALSE(fs::exists(file("full") / "L0.ply"));
-  // A name in a file must not lead out of the folder.
+  // A name in a file must not lead to a path outside the folder.
   std::ofstream(file("evil.tps")) << "LM3=1\n1 2 3\nID=../evil\n";
-  EXPECT_THAT(refusal(file("evil.tps"), file("out.csv")), HasSubstr("cannot be that of a file"));
+  EXPECT_THAT(refusal(file("evil.tps"), file("out.csv")), says("cannot be that of a file"));
 }
 
 TEST_F(Convert, AModelWithoutScoresGivesTheModelAlone) {
@@ -193,7 +194,7 @@ TEST_F(Convert, AModelWithoutScoresGivesTheModelAlone) {
   model.scores.resize(0, 0);
   write_statismo(file("plain.h5"), model);
   EXPECT_EQ(converted(file("plain.h5"), file("plain.h5.json")).shapes, 0U);
-  EXPECT_THAT(refusal(file("plain.h5"), file("a.tps")), HasSubstr("without scores"));
+  EXPECT_THAT(refusal(file("plain.h5"), file("a.tps")), says("without scores"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "foramen/topology/inspect_mesh.hpp"
 #include "spatial/self_intersections.hpp"
 #include "support/label_maps.hpp"
+#include "support/messages.hpp"
 #include "support/real_data.hpp"
 
 namespace foramen {
@@ -37,8 +38,8 @@ LabelMap torus_map(const Vec3& spacing, const Mat3& direction = oblique()) {
                           [](const Vec3& p) { return bumpy_torus(p) < 0 ? label : 0; });
 }
 
-// The same voxels at the same places, stored along other axes: axis a of the new map runs along axis order[a]
-// of the old one, backwards if so said.
+// The same voxels at the same places, stored in another order: axis a of the new map runs along axis order[a]
+// of the old one, in the opposite direction if backwards[a].
 LabelMap restored(const LabelMap& map, const std::array<int, 3>& order,
                   const std::array<bool, 3>& backwards) {
   LabelMap out;
@@ -120,9 +121,8 @@ TEST(ExtractLabel, TheSamePointsHoweverTheMapIsStored) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-// In any direction, also one that mirrors: the bump must be where it is in space, not where it is in the
-// file.
-TEST(ExtractLabel, StandsWhereItIsInSpaceAndIsWoundOutward) {
+// For any direction matrix, including reflections, the bump must have its place in space.
+TEST(ExtractLabel, HasItsPlaceInSpaceAndIsWoundOutward) {
   Rng rng(5);
   for (int repeat = 0; repeat < 8; ++repeat) {
     Mat3 direction = Eigen::Quaterniond(rng.normal(), rng.normal(), rng.normal(), rng.normal())
@@ -148,7 +148,7 @@ TEST(ExtractLabel, ACutVertebraIsRefusedWithItsSideUnlessAsked) {
     ADD_FAILURE() << "not refused";
   } catch (const InvalidInput& e) {
     EXPECT_THAT(e.what(), HasSubstr("border of the label map (superior)"));
-    EXPECT_THAT(e.what(), HasSubstr("--keep-cut"));
+    EXPECT_THAT(message_of(e), offers({{RemedyKind::keep_cut}}));
   }
   const ExtractedSurface kept = extract(map, {.keep_cut = true});
   EXPECT_THAT(kept.report.cut_at, ElementsAre("superior"));
@@ -164,7 +164,7 @@ TEST(ExtractLabel, ASpeckAtTheBorderIsNoCut) {
   EXPECT_TRUE(found.report.cut_at.empty());
 }
 
-// Rings of voxels in one layer of a map: '#' is the label.
+// A label map with one drawn layer, in which '#' is the label.
 LabelMap drawn(const std::vector<std::string>& rows) {
   LabelMap map;
   map.size = {static_cast<int>(rows[0].size()), static_cast<int>(rows.size()), 5};
@@ -175,7 +175,7 @@ LabelMap drawn(const std::vector<std::string>& rows) {
 }
 
 TEST(ExtractLabel, EdgeContactsAreReadSoThatTheGenusIsOne) {
-  // A ring that is closed by a contact along an edge alone.
+  // A ring that is closed only by a contact along an edge.
   const ExtractedSurface ring = extract(drawn({"       ",  //
                                                "  ###  ",  //
                                                " #   # ",  //
@@ -184,7 +184,7 @@ TEST(ExtractLabel, EdgeContactsAreReadSoThatTheGenusIsOne) {
                                                "       "}));
   EXPECT_EQ(ring.report.genus, 1);
   EXPECT_EQ(ring.report.contact, EdgeContact::joined);
-  // A ring with two tongues that touch along an edge.
+  // A ring with two tongues that touch only along an edge.
   const ExtractedSurface tongues = extract(drawn({"         ",  //
                                                   " ####### ",  //
                                                   " #   # # ",  //
@@ -210,7 +210,8 @@ TEST(ExtractLabel, ARaggedLabelStillHasASurfaceThatDoesNotMeetItself) {
   }
 }
 
-// Label maps are often enlarged by copying voxels. Their blocks cannot be smoothed away within half a voxel.
+// Label maps are often enlarged by copying voxels. The resulting blocks are too large to be smoothed by
+// moving vertices half a voxel.
 TEST(ExtractLabel, BlocksLowerTheBoundAndStayWithinHalfAVoxel) {
   const LabelMap small = torus_map({2.4, 2.4, 2.4});
   LabelMap blocks;

@@ -3,27 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "foramen/core/error.hpp"
 #include "support/label_maps.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {
 namespace {
 
 using namespace testing;
+using ::testing::AllOf;
 using ::testing::Contains;
-using ::testing::HasSubstr;
-
-template <class Work>
-std::string refusal(const Work& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "not refused";
-  return {};
-}
 
 TEST(LabelSelection, SinglesAndRanges) {
   const LabelSelection selection = LabelSelection::parse("20-24,3,22");
@@ -36,9 +25,8 @@ TEST(LabelSelection, SinglesAndRanges) {
 
 TEST(LabelSelection, WhatIsNoneIsNamed) {
   for (const char* text : {"", "20-", "-3", "x", "3,", "1-2-3", "0", "70000", "3 4", "1e1"})
-    EXPECT_THAT(refusal([&] { LabelSelection::parse(text); }), HasSubstr("whole numbers from 1 to 65535"))
-        << text;
-  EXPECT_THAT(refusal([] { LabelSelection::parse("24-20"); }), HasSubstr("write 20-24"));
+    EXPECT_THAT(refusal([&] { LabelSelection::parse(text); }), says("whole numbers from 1 to 65535")) << text;
+  EXPECT_THAT(refusal([] { LabelSelection::parse("24-20"); }), says("write 20-24"));
 }
 
 TEST(Listed, RunsAsRanges) {
@@ -80,17 +68,16 @@ TEST(ReadLabelNames, FromCsv) {
     return read_label_names(folder.file("n.csv", "label,name\n" + rows));
   };
   EXPECT_EQ(name_of(read("3,L1\n7,left_hip\n"), 7), "left_hip");
-  EXPECT_THAT(refusal([&] { read("3,L1\nx,L2\n"); }), HasSubstr("row 2: 'x'"));
-  EXPECT_THAT(refusal([&] { read("0,L1\n"); }), HasSubstr("'0' is no label"));
-  EXPECT_THAT(refusal([&] { read("3,../x\n"); }), HasSubstr("'../x' cannot be"));
-  EXPECT_THAT(refusal([&] { read("3,\n"); }), HasSubstr("'' cannot be"));
-  EXPECT_THAT(refusal([&] { read("3,L1\n3,L2\n"); }), HasSubstr("label 3 is there twice"));
-  EXPECT_THAT(refusal([&] { read("3,L1\n4,L1\n"); }), HasSubstr("'L1' is there twice"));
-  EXPECT_THAT(refusal([&] { read_label_names(folder.file("m.csv", "number,name\n3,L1\n")); }),
-              HasSubstr("label"));
+  EXPECT_THAT(refusal([&] { read("3,L1\nx,L2\n"); }), says("row 2: 'x'"));
+  EXPECT_THAT(refusal([&] { read("0,L1\n"); }), says("'0' is no label"));
+  EXPECT_THAT(refusal([&] { read("3,../x\n"); }), says("'../x' cannot be"));
+  EXPECT_THAT(refusal([&] { read("3,\n"); }), says("'' cannot be"));
+  EXPECT_THAT(refusal([&] { read("3,L1\n3,L2\n"); }), says("label 3 is there twice"));
+  EXPECT_THAT(refusal([&] { read("3,L1\n4,L1\n"); }), says("'L1' is there twice"));
+  EXPECT_THAT(refusal([&] { read_label_names(folder.file("m.csv", "number,name\n3,L1\n")); }), says("label"));
 }
 
-// Boxes of one label each, side by side; the last reaches the border.
+// Boxes of one label each, beside each other. The last one reaches the border.
 class ExtractLabels : public ::testing::Test {
  protected:
   std::filesystem::path file(const std::vector<int>& labels) {
@@ -125,29 +112,31 @@ TEST_F(ExtractLabels, AbsentOnesOfARangeAreNotedAndSingleOnesRefused) {
   ASSERT_EQ(found.refused.size(), 1u);
   EXPECT_EQ(found.refused[0].stem, "spine_C3");
   EXPECT_TRUE(found.refused[0].absent);
-  EXPECT_THAT(found.refused[0].reason, HasSubstr("it holds 20, 22"));
-  EXPECT_THAT(found.notes, Contains(HasSubstr("has no labels 21, 23, 24")));
+  EXPECT_THAT(found.refused[0].reason, says("it holds 20, 22"));
+  EXPECT_THAT(found.notes, Contains(says("has no labels 21, 23, 24")));
 }
 
 TEST_F(ExtractLabels, WithoutASelectionAllThatHaveAName) {
   const LabelSurfaces found = extract_labels(file({20, 99}), {}, ctx_);
   EXPECT_EQ(found.surfaces.size(), 1u);
-  EXPECT_THAT(found.notes, Contains(HasSubstr("label 99 has no name")));
+  EXPECT_THAT(found.notes, Contains(AllOf(says("label 99 has no name"),
+                                          offers({{RemedyKind::choose_labels}, {RemedyKind::name_labels}}))));
 }
 
 TEST_F(ExtractLabels, NothingWantedIsRefusedWithWhatThereIs) {
-  EXPECT_THAT(refusal([&] {
-                extract_labels(file({20, 21}), request("1-7"), ctx_);
-              }),
-              HasSubstr("holds none of the labels 1-7; it holds 20, 21"));
-  EXPECT_THAT(refusal([&] { extract_labels(file({0}), {}, ctx_); }), HasSubstr("holds no label"));
-  EXPECT_THAT(refusal([&] { extract_labels(file({99}), {}, ctx_); }), HasSubstr("no label that has a name"));
+  EXPECT_THAT(
+      refusal([&] {
+        extract_labels(file({20, 21}), request("1-7"), ctx_);
+      }),
+      AllOf(says("holds none of the labels 1-7; it holds 20, 21"), offers({{RemedyKind::choose_labels}})));
+  EXPECT_THAT(refusal([&] { extract_labels(file({0}), {}, ctx_); }), says("holds no label"));
+  EXPECT_THAT(refusal([&] { extract_labels(file({99}), {}, ctx_); }), says("no label that has a name"));
 }
 
 TEST_F(ExtractLabels, EqualStemsAreRefused) {
   LabelRequest both = request("3-4");
   both.names = {{3, "label4"}};
-  EXPECT_THAT(refusal([&] { extract_labels(file({3, 4}), both, ctx_); }), HasSubstr("spine_label4"));
+  EXPECT_THAT(refusal([&] { extract_labels(file({3, 4}), both, ctx_); }), says("spine_label4"));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr EdgeContact contacts[] = {EdgeContact::joined, EdgeContact::apart};
 
-// One layer of outside around voxels that are inside with that probability.
+// Voxels that are inside with this probability, surrounded by one layer of outside.
 BinaryVolume random_volume(const std::array<int, 3>& size, double density, std::uint64_t seed) {
   BinaryVolume volume;
   for (std::size_t a = 0; a < 3; ++a) volume.size[a] = size[a] + 2;
@@ -51,7 +51,7 @@ int euler_number_of_voxels(const BinaryVolume& volume, bool inside) {
           for (int c = 0; c < 4; ++c)
             if (of_kind == (255U ^ 1U << c ^ 1U << (7 - c))) ++euler;
         }
-        for (int cell = 0; cell < 8; ++cell) {  // spans the axes of its bits
+        for (int cell = 0; cell < 8; ++cell) {  // a cell spans the axes whose bits are set
           bool all = true;
           for (int corner = 0; corner < 8; ++corner) {
             if ((corner & ~cell) != 0) continue;
@@ -65,8 +65,9 @@ int euler_number_of_voxels(const BinaryVolume& volume, bool inside) {
   return euler;
 }
 
-// The surface bounds the inside and, with a point at infinity added, the outside; its Euler number is twice
-// that of either. Voxels across faces are a complex of what is joined across faces alone.
+// The surface bounds the inside and also the outside (with a point at infinity added), and its Euler number
+// is twice that of either. The complex of euler_number_of_voxels() joins voxels only across faces, so it is
+// applied to the side whose voxels are joined only across faces.
 int expected_euler_number(const BinaryVolume& volume, EdgeContact contact) {
   return contact == EdgeContact::apart ? 2 * euler_number_of_voxels(volume, true)
                                        : 2 * (euler_number_of_voxels(volume, false) - 1);

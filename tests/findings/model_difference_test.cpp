@@ -19,7 +19,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Generalization and representation of one shape.
+// Generalization and representation errors of one shape.
 struct ShapeFigures {
   std::string name, subject;
   double hausdorff, mean_surface;
@@ -44,7 +44,7 @@ Evaluation evaluation(const std::vector<ShapeFigures>& shapes, const Estimate& s
   return e;
 }
 
-// The second model's shapes stand in another order. Differences of a, b, c: Hausdorff 1, 2, 3; mean surface
+// The shapes of the second model have another order. Differences of a, b, c: Hausdorff 1, 2, 3; mean surface
 // 1, 2, -4.
 const Evaluation first = evaluation({{"a", "s", 10, 1}, {"b", "s", 20, 2}, {"c", "t", 30, 9}}, {7, 3});
 const Evaluation second = evaluation({{"c", "t", 33, 5}, {"a", "s", 11, 2}, {"b", "s", 22, 4}}, {9, 4});

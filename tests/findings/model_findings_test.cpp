@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace foramen {
 namespace {
@@ -10,17 +9,14 @@ namespace {
 using ::testing::EndsWith;
 using ::testing::StartsWith;
 
-// Figures are given for some numbers of modes only.
+// Measures are computed only for some numbers of modes.
 TEST(SummaryLines, CountTheModesOfTheModelNotTheNumbersOfModesMeasured) {
   constexpr int shapes = 200;
-  nlohmann::ordered_json run = {{"shapes", nlohmann::ordered_json::array()},
-                                {"reference", "a7"},
-                                {"landmarks_inserted", 3},
-                                {"landmark_triangles", 8}};
+  RunRecord run{.reference = "a7", .landmarks_inserted = 3, .landmark_triangles = 8};
   Evaluation evaluation;
   evaluation.landmarks = 4;
   for (int i = 0; i < shapes; ++i) {
-    run["shapes"].push_back({{"status", "used"}, {"flips_in_map", 0}});
+    run.shapes.push_back({.used = UsedShape{.flips_in_map = 0}});
     evaluation.names.push_back("a" + std::to_string(i));
   }
   evaluation.representation.shapes.resize(shapes);

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "support/handles.hpp"
 #include "support/meshes.hpp"
+#include "support/messages.hpp"
 #include "support/real_data.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -16,20 +16,12 @@ namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
+using ::testing::AllOf;
+using testing::offers;
+using testing::refusal;
+using testing::says;
 using testing::TemporaryFolder;
 using testing::torus_soup;
-
-template <class Work>
-std::string refusal(const Work& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "not refused";
-  return {};
-}
 
 TEST(FindMeshes, FilesAndFoldersInOrderOfStem) {
   const TemporaryFolder folder;
@@ -42,11 +34,11 @@ TEST(FindMeshes, FilesAndFoldersInOrderOfStem) {
 
 TEST(FindMeshes, RefusesWhatIsMissingEmptyOrAmbiguous) {
   const TemporaryFolder folder;
-  EXPECT_THAT(refusal([&] { find_meshes({folder.path() / "none.ply"}); }), HasSubstr("no such file"));
-  EXPECT_THAT(refusal([&] { find_meshes({folder.path()}); }), HasSubstr("holds no mesh file"));
+  EXPECT_THAT(refusal([&] { find_meshes({folder.path() / "none.ply"}); }), says("no such file"));
+  EXPECT_THAT(refusal([&] { find_meshes({folder.path()}); }), says("holds no mesh file"));
   folder.file("a.ply", "");
   folder.file("a.stl", "");
-  EXPECT_THAT(refusal([&] { find_meshes({folder.path()}); }), HasSubstr("same name"));
+  EXPECT_THAT(refusal([&] { find_meshes({folder.path()}); }), says("same name"));
 }
 
 TEST(ReadShape, InwardWindingIsReversedAndSaid) {
@@ -69,7 +61,7 @@ TEST(ReadShape, UnitsAreConvertedAndImplausibleOnesRefused) {
   write_ply(folder.file("cm.ply"), soup);
   EXPECT_NEAR(total_area(read_shape(folder.file("cm.ply"), LengthUnit::centimetre).mesh) / area_mm, 1, 1e-5);
   EXPECT_THAT(refusal([&] { read_shape(folder.file("cm.ply"), LengthUnit::millimetre); }),
-              HasSubstr("--units cm"));
+              AllOf(says("probably in cm"), offers({{RemedyKind::give_unit, "cm"}})));
 }
 
 TEST(ReadCohort, OneBadFileIsLeftOutWithItsReason) {
@@ -82,11 +74,11 @@ TEST(ReadCohort, OneBadFileIsLeftOutWithItsReason) {
   const Cohort cohort = read_cohort(find_meshes({folder.path()}), LengthUnit::millimetre, RunContext(2));
   ASSERT_EQ(cohort.shapes.size(), 1u);
   ASSERT_EQ(cohort.left_out.size(), 2u);
-  EXPECT_THAT(cohort.left_out[0].reason, HasSubstr("open.ply"));
-  EXPECT_THAT(cohort.left_out[1].reason, HasSubstr("torn.ply"));
+  EXPECT_THAT(cohort.left_out[0].reason, AllOf(says("open.ply"), offers({{RemedyKind::repair}})));
+  EXPECT_THAT(cohort.left_out[1].reason, AllOf(says("torn.ply"), offers({})));
 }
 
-// A torus with a thin bridge and a hole: neither is beyond repair.
+// A torus with a thin bridge and a hole, both of which can be repaired.
 TriangleSoup defective() {
   testing::TorusWithHandles torus(120, 60);
   torus.bridge(10, 20, 14);
@@ -111,19 +103,19 @@ TEST(ReadCohort, WhatTheAuditRefusesIsRepairedOnRequest) {
   ASSERT_TRUE(cohort.shapes[1].repair);
   const RepairReport& report = *cohort.shapes[1].repair;
   EXPECT_EQ(report.removed_handles.size(), 1u);
-  EXPECT_THAT(summary(report), HasSubstr("holes filled: 1 at ("));
+  EXPECT_THAT(summary(report), ::testing::HasSubstr("holes filled: 1 at ("));
   EXPECT_EQ(report.changes.size(), 2u);
   EXPECT_EQ(report.removed_handles[0].kind, LoopKind::handle);
   EXPECT_EQ(report.canal.kind, LoopKind::tunnel);
-  // In the file's coordinates: nothing but the patches is new.
+  // The result has the coordinates of the file. Only the patches are new.
   const TriangleSoup raw = read_mesh(folder.file("mendable.ply")).soup;
   std::size_t kept = 0;
   for (const Vec3& p : cohort.shapes[1].mesh.positions())
     kept += std::find(raw.points.begin(), raw.points.end(), p) != raw.points.end() ? 1 : 0;
   EXPECT_GT(kept, raw.points.size() - 30);
   ASSERT_EQ(cohort.left_out.size(), 2u);
-  EXPECT_THAT(cohort.left_out[0].reason, HasSubstr("cut_off.ply: it is open: a hole of"));
-  EXPECT_THAT(cohort.left_out[1].reason, HasSubstr("torn.ply"));
+  EXPECT_THAT(cohort.left_out[0].reason, says("cut_off.ply: it is open: a hole of"));
+  EXPECT_THAT(cohort.left_out[1].reason, says("torn.ply"));
 }
 
 TEST(RepairSurface, TakesUnitsAndRefusesWrongOnes) {
@@ -132,7 +124,7 @@ TEST(RepairSurface, TakesUnitsAndRefusesWrongOnes) {
   const RepairedMesh repaired = repair_surface(soup, LengthUnit::metre, {}, RunContext(1));
   EXPECT_NEAR(repaired.report.canal.length_mm, 75, 2);
   EXPECT_THAT(refusal([&] { repair_surface(soup, LengthUnit::millimetre, {}, RunContext(1)); }),
-              HasSubstr("--units m"));
+              AllOf(says("probably in m"), offers({{RemedyKind::give_unit, "m"}})));
   // A piece far away does not make it another unit.
   soup = defective();
   soup.points.insert(soup.points.end(), {Vec3(600, 0, 0), Vec3(601, 0, 0), Vec3(600, 1, 0)});

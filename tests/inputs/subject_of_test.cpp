@@ -1,8 +1,9 @@
 #include "inputs/subject_of.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "foramen/core/error.hpp"
+#include "support/messages.hpp"
 
 namespace foramen {
 namespace {
@@ -11,7 +12,8 @@ TEST(SubjectOf, TakesTheFirstGroupOrTheWholeMatch) {
   EXPECT_EQ(subject_of("verse005_L1", "(.*)_L"), "verse005");
   EXPECT_EQ(subject_of("verse005_L1", "verse[0-9]+"), "verse005");
   EXPECT_EQ(subject_of("other", "verse[0-9]+"), "other");
-  EXPECT_THROW(subject_of("x", "("), InvalidInput);
+  EXPECT_THAT(testing::refusal([] { subject_of("x", "("); }),
+              AllOf(testing::says("'('"), testing::offers({{RemedyKind::subject_pattern}})));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 """open_files.py READER FOLDER: opens what write_files.sh wrote with a reader that is not foramen's.
 
-READER is a function below. A reader that is not installed prints "skipped: ..." and is no failure. What two readers see
-of the same thing is compared. scalismo_rules, shapeworks_rules and geomorph_rules are not those programs, which Debian
-does not have: they hold the files against the rules of those programs' readers, and that is all they are.
+READER is a function below. If a reader is not installed, the script prints "skipped: ..." and succeeds. If two readers
+read the same data, the results are compared. scalismo_rules, shapeworks_rules and geomorph_rules do not run these
+programs, which Debian does not have. They only check the files against the rules of the programs' readers.
 """
 
 import csv
@@ -37,7 +37,7 @@ def table(path):
 
 
 def points_of_table(folder):
-    """Landmarks of all shapes as the CSV has them: {shape: [[x, y, z], ...]}."""
+    """The landmarks of all shapes in the CSV file: {shape: [[x, y, z], ...]}."""
     header, rows = table(folder / "landmarks.csv")
     expect(header == ["shape", "landmark", "x", "y", "z"], "landmarks.csv: its header")
     shapes = {}
@@ -49,7 +49,7 @@ def points_of_table(folder):
 
 
 def close(a, b, tolerance=1e-4):
-    """Lists of points of the same place, up to single precision."""
+    """Whether two lists of points are equal up to single precision."""
     return len(a) == len(b) and all(abs(x - y) <= tolerance for p, q in zip(a, b) for x, y in zip(p, q))
 
 
@@ -59,7 +59,7 @@ def meshes(folder, suffix):
     return found
 
 
-# ---- readers that others wrote
+# ---- independent readers
 
 
 def h5dump(folder):
@@ -92,7 +92,7 @@ def h5py(folder):
         expect(numpy.allclose(scores, file["modelinfo/scores"][()].T, atol=1e-4), "scores.csv is not model.h5's scores")
         converted = numpy.array([[float(cell) for cell in row[1:]] for row in table(folder / "scores.csv")[1]])
         expect(numpy.allclose(scores, converted, atol=1e-4), "scores of convert are not those of the build")
-    # The same shapes through other files: the same variances.
+    # The same shapes in other files must have the same variances.
     for name in ("from_meshes.h5", "from_shapeworks.h5"):
         with library.File(folder / name, "r") as file:
             expect(numpy.allclose(file["model/pcaVariance"][()], variance, rtol=1e-3), f"{name}: other variances")
@@ -171,7 +171,7 @@ def python_csv(folder):
 
 
 class Hdf5Json:
-    """The .h5.json as Scalismo's hdf5json takes it: whatever it would not cast is an error."""
+    """Reads the .h5.json like Scalismo's hdf5json. A value that Scalismo could not cast is an error."""
 
     types = {"H5T_FLOAT": {"H5T_IEEE_F32LE", "H5T_IEEE_F64LE"}, "H5T_INTEGER": {"H5T_STD_I32LE"}}
 
@@ -239,7 +239,7 @@ def scalismo_rules(folder):
         expect(all(set(l) <= {"id", "coordinates", "description"} for l in landmarks), "landmarks: members")
         expect(len({l["id"] for l in landmarks}) == len(landmarks), "landmarks: an id comes twice")
         expect(close([l["coordinates"] for l in landmarks], shape, 0), f"landmarks of {name}")
-    # PLY: properties, type words and line ends that its reader takes.
+    # PLY: properties, names of types and line ends that its reader accepts.
     for path in meshes(folder, ".ply"):
         head = path.read_bytes().split(b"end_header\n")[0]
         expect(b"\r" not in head, f"{path}: CR in its header")
@@ -249,7 +249,8 @@ def scalismo_rules(folder):
 
 
 def numbers_as_shapeworks_reads(text):
-    """`while (in >> x >> y >> z)` on a file: the last line counts only if a line end follows."""
+    """The numbers that `while (in >> x >> y >> z)` reads from a file. The last line is read only if a line end
+    follows."""
     lines = text.split("\n")[:-1]
     return [[float(word) for word in line.split()] for line in lines]
 
@@ -297,11 +298,11 @@ def geomorph_rules(folder):
         expect(names[i] == name and close(points, shape, 0), f"tps: {name}")
 
 
-# ---- no file without a reader
+# ---- every file has a reader
 
 
 def every_file(folder):
-    """Each file of a build and of convert is of a kind that a test above opens."""
+    """Checks that each file of a build and of convert has a kind that a test above opens."""
     opened = [r".*\.ply", r".*\.vtp", r".*\.h5", r".*\.csv", r"model/(metrics|run)\.json", r"model\.h5\.json",
               r"landmarks/.*\.json", r"landmarks\.tps", r"study/model\.swproj", r"study/particles/.*\.particles"]
     for path in sorted(p for p in folder.rglob("*") if p.is_file()):

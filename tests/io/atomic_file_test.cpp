@@ -1,8 +1,11 @@
 #include "io/atomic_file.hpp"
 
+#include <unistd.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <stdexcept>
 
 #include "foramen/core/error.hpp"
@@ -29,6 +32,10 @@ TEST(WriteFile, NothingUnderTheNameUntilDone) {
     EXPECT_EQ(temporary.parent_path(), path.parent_path());
     EXPECT_EQ(temporary.extension(), ".h5");
     EXPECT_EQ(temporary.filename().string()[0], '.');
+    std::array<char, 300> host{};
+    ASSERT_EQ(::gethostname(host.data(), host.size()), 0);
+    const std::string writer = std::string(".") + host.data() + "-" + std::to_string(::getpid()) + "-";
+    EXPECT_THAT(temporary.filename().string(), ::testing::HasSubstr(writer)) << "others may write the same";
     std::ofstream(temporary) << "half";
     EXPECT_FALSE(std::filesystem::exists(path));
     std::ofstream(temporary) << "whole";
@@ -54,7 +61,7 @@ TEST(RemoveLeftovers, TakesWhatAKilledWriterLeftAndNothingElse) {
   const TemporaryFolder folder;
   folder.file("kept.json", "whole");
   folder.file(".hidden", "the user's");
-  // The temporary as a writer that is killed leaves it, in a folder of its own.
+  // The temporary file that a killed writer leaves, copied to a folder of its own.
   write_file_with(folder.file("model.h5"), [&](const std::filesystem::path& temporary) {
     std::ofstream(temporary) << "half";
     std::filesystem::create_directory(folder.file("later"));

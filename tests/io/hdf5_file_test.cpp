@@ -36,7 +36,7 @@ void write_everything(H5Writer& file) {
   file.attribute("/group", "kind", "POLYGON_MESH");
 }
 
-// What an IoError says; nothing else may be said.
+// The message of the IoError that the work must throw. HDF5 itself must print nothing.
 template <class Work>
 std::string message(const Work& work) {
   ::testing::internal::CaptureStderr();
@@ -88,7 +88,7 @@ TEST(H5File, EigenMatricesGoRowByRow) {
 TEST(H5File, SameBytesASecondLater) {
   const TemporaryFolder folder;
   write_h5(folder.file("a.h5"), write_everything);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts whole seconds
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 stores times in whole seconds
   write_h5(folder.file("b.h5"), write_everything);
   EXPECT_EQ(bytes_of(folder.file("a.h5")), bytes_of(folder.file("b.h5")));
 }
@@ -143,7 +143,7 @@ TEST(H5File, EachMistakeHasItsMessage) {
               HasSubstr("its folder does not exist"));
 }
 
-// A size in the header that the file cannot hold must not be believed.
+// A size in the header that exceeds the file must be refused.
 TEST(H5File, LyingSizesAreRefusedBeforeMemoryIsTaken) {
   const TemporaryFolder folder;
   write_h5(folder.file("a.h5"),

@@ -15,7 +15,7 @@ namespace {
 
 using namespace testing;
 
-// Voxels of 0.7 x 0.9 x 2 mm, turned by no simple angle; left-handed if so wanted.
+// Voxels of 0.7 x 0.9 x 2 mm in an oblique direction; left-handed if requested.
 LabelMap oblique_map(bool left_handed = false) {
   Mat3 axes = Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()).toRotationMatrix() *
               Vec3(0.7, 0.9, left_handed ? -2.0 : 2.0).asDiagonal();

@@ -1,4 +1,4 @@
-// What is wrong with a label map is found before memory is taken for it, and said.
+// An error in a label map is found before memory is allocated for the map, and is named in the message.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Each file has one thing wrong; each must be refused with an error that names it, whatever the file says of
-// itself.
+// Each file has one defect. It must be refused with an error that names the defect, whatever the header
+// claims.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ TEST(MissingMesh, IsRefusedByName) {
     }
 }
 
-// Whatever bytes change, a file is read or refused: nothing else is thrown, and what is read is sound.
+// If any bytes of a file change, the file is either refused with an IoError or read as a valid soup.
 TEST(DamagedMesh, IsReadSoundOrRefused) {
   const TemporaryFolder folder;
   write_ply(folder.file("a.ply"), tetrahedron());

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Mesh files with one thing wrong each, and what the error must say of it.
+/// Mesh files with one defect each, and the text that the error must contain.
 
 #include <cmath>
 #include <cstdint>

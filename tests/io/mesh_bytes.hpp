@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Mesh files as bytes, written plainly, to compare readers and writers with.
+/// Mesh files as bytes, made by simple code, to test readers and writers.
 
 #include <array>
 #include <bit>
@@ -22,7 +22,7 @@ std::string raw(T value, bool big_endian = false) {
   return bytes;
 }
 
-/// A tetrahedron whose coordinates every number type can hold.
+/// A tetrahedron whose coordinates every number type can represent.
 inline TriangleSoup tetrahedron() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
@@ -53,8 +53,8 @@ inline std::string ascii_stl(const TriangleSoup& soup, const std::string& title 
   return out + "endsolid " + title + "\n";
 }
 
-/// The coordinates as float32 holds them. Through memory: g++ 12 at -O3 folds a vectorised
-/// double-float-double away.
+/// The coordinates rounded to float32. They are stored in memory, because g++ 12 at -O3 removes a vectorised
+/// conversion from double to float and back.
 inline TriangleSoup rounded_to_float(TriangleSoup soup) {
   for (Vec3& p : soup.points)
     for (int k = 0; k < 3; ++k) {
@@ -64,7 +64,8 @@ inline TriangleSoup rounded_to_float(TriangleSoup soup) {
   return soup;
 }
 
-/// A binary STL's soup has its points in the order in which triangles first use them.
+/// The soup with its points in the order in which triangles first use them, which is the order of a soup read
+/// from binary STL.
 inline TriangleSoup in_order_of_use(const TriangleSoup& soup) {
   TriangleSoup out;
   std::vector<int> place(soup.points.size(), -1);

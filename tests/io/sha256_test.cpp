@@ -34,7 +34,8 @@ TEST(Sha256, CutsDoNotMatter) {
     }
 }
 
-// Pieces of every length from none to more than two blocks: they begin and end everywhere in a block.
+// Pieces of every length from zero to more than two blocks, so that they begin and end at every place in a
+// block.
 TEST(Sha256, ManyPieces) {
   std::string bytes;
   for (int i = 0; i < 20000; ++i) bytes += static_cast<char>(i * i % 251);

@@ -37,7 +37,7 @@ TEST(Particles, WhatIsNoneIsRefused) {
   EXPECT_THAT(refusal([&] { read_particles(folder.file("a", "1 2 3\n4 5\n")); }), HasSubstr("line 2"));
   EXPECT_THAT(refusal([&] { read_particles(folder.file("a", "\n\n")); }), HasSubstr("no particles"));
   EXPECT_THROW(write_particles(folder.file("b"), {}), InvalidInput);
-  EXPECT_EQ(read_particles(folder.file("a", "1 2 3\n4 5 6")).size(), 2U);  // without a last line end
+  EXPECT_EQ(read_particles(folder.file("a", "1 2 3\n4 5 6")).size(), 2U);  // the last line has no line end
 }
 
 TEST(ShapeWorksProject, RoundTrip) {
@@ -62,7 +62,8 @@ TEST(ShapeWorksProject, RoundTrip) {
   EXPECT_TRUE(read[1].alignment.isIdentity(0));
 }
 
-// Another domain's name, backslashes, no name, null parameters, a transform of twelve numbers.
+// Variants that other programs write: another name of the domain, backslashes, no name, null parameters, a
+// transform of twelve numbers.
 TEST(ShapeWorksProject, ProjectsOfOthers) {
   const TemporaryFolder folder;
   const auto file = folder.file(

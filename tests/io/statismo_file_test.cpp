@@ -66,6 +66,21 @@ TEST(Statismo, RoundTripToSinglePrecision) {
   EXPECT_EQ(read.builder_name, "foramen");
 }
 
+TEST(Statismo, InSinglePrecisionIsWhatIsReadBack) {
+  const TemporaryFolder folder;
+  StatismoModel model = example();
+  model.noise_variance = 0.1;
+  write_statismo(folder.file("model.h5"), model);
+  const StatismoModel read = read_statismo(folder.file("model.h5")), rounded = in_single_precision(model);
+  EXPECT_NE(model.mean, rounded.mean);
+  EXPECT_EQ(read.points, rounded.points);
+  EXPECT_EQ(read.mean, rounded.mean);
+  EXPECT_EQ(read.basis, rounded.basis);
+  EXPECT_EQ(read.variance, rounded.variance);
+  EXPECT_EQ(read.noise_variance, rounded.noise_variance);
+  EXPECT_EQ(read.scores, rounded.scores);
+}
+
 // What is read was rounded already: writing it again changes nothing.
 TEST(Statismo, SameBytesTwiceAndAfterReading) {
   const TemporaryFolder folder;
@@ -89,8 +104,8 @@ TEST(Statismo, ScoresAndNamesMayBeAbsent) {
   EXPECT_TRUE(read.shape_uris.empty() && read.parameters.empty());
 }
 
-// Landmark weights are ours alone: nothing else in the file changes with them, and without them there is
-// none.
+// Landmark weights are an addition of foramen. They change nothing else in the file, and a model without
+// weights has no such dataset.
 TEST(Statismo, LandmarkWeightsStandBeside) {
   const TemporaryFolder folder;
   StatismoModel model = example();
@@ -107,7 +122,8 @@ TEST(Statismo, LandmarkWeightsStandBeside) {
   EXPECT_EQ(bytes_of(folder.file("b.h5")), bytes_of(folder.file("plain.h5")));
 }
 
-// Coordinates stand by axis in the representer, by point in the mean; cells by corner.
+// The order of coordinates is by axis in the representer and by point in the mean; that of cells is by
+// corner.
 TEST(Statismo, OrderOfNumbers) {
   const TemporaryFolder folder;
   const StatismoModel model = example();
@@ -133,7 +149,7 @@ std::string output_of(const std::string& command) {
   return out;
 }
 
-// The dump of one object, from its line to the next object's.
+// The part of the dump about one object, up to the line of the next object.
 std::string part(const std::string& dump, const std::string& object) {
   const auto at = dump.find(object);
   EXPECT_NE(at, std::string::npos) << object;

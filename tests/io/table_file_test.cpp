@@ -62,7 +62,7 @@ TEST(FormatNumber, RoundTripsShortestInAnyLocale) {
   EXPECT_EQ(format_number(-std::numeric_limits<double>::infinity()), "-inf");
   const char* before = std::setlocale(LC_ALL, nullptr);
   const std::string restored = before ? before : "C";
-  std::setlocale(LC_ALL, "de_DE.UTF-8");  // has a decimal comma, where it is installed
+  std::setlocale(LC_ALL, "de_DE.UTF-8");  // this locale has a decimal comma, if it is installed
   Rng rng(2);
   for (int i = 0; i < 1000; ++i) {
     const double value = rng.normal() * std::pow(10.0, rng.uniform(-200, 200));

@@ -1,4 +1,4 @@
-// VTK's legacy and XML files of surfaces.
+// Surfaces in VTK's legacy and XML formats.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ const std::string legacy_text =
     "1 0 0 0 2 0\n"
     "0 0 3\nPOLYGONS 4 16\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
-// With all that VTK 9 adds.
+// A legacy file with all additions of VTK 9.
 const std::string legacy_5 =
     "# vtk DataFile Version 5.1\nvtk output SPACE=LPS\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\nages 2 2 "
     "double\n1 2 3 4 \n"
@@ -84,7 +84,7 @@ TEST(VtkFile, ReadsLegacyTextAndBinary) {
 
 TEST(VtkFile, VtpRoundTripIsExactToFloat) {
   const TemporaryFolder folder;
-  for (int tube : {7, 8, 9}) {  // every remainder of the bytes by three
+  for (int tube : {7, 8, 9}) {  // the number of bytes takes every remainder modulo three
     const TriangleSoup soup = testing::bumpy_torus_soup(10, tube, 4);
     for (AnatomicalSpace space : {AnatomicalSpace::lps, AnatomicalSpace::ras}) {
       write_vtp(folder.file("a.vtp"), soup, space);
@@ -135,8 +135,8 @@ TEST(VtkFile, MalformedLegacyIsRefused) {
   for (const auto& [bytes, message] : cases) expect_refused(folder.file("a.vtk", bytes), message);
 }
 
-// VTK 9.1's own: text, inline and appended binary, base64 and raw, zlib in blocks, both byte orders, both
-// sizes of header.
+// Files that VTK 9.1 wrote: text, inline and appended binary, base64 and raw, zlib in blocks, both byte
+// orders, both sizes of header.
 TEST(VtkFile, ReadsWhatVtkWrites) {
   TriangleSoup expected;
   constexpr int around = 5, tube = 4;
@@ -149,7 +149,7 @@ TEST(VtkFile, ReadsWhatVtkWrites) {
     const MeshFile read = read_mesh(entry.path());
     EXPECT_EQ(read.soup.triangles, expected.triangles);
     ASSERT_EQ(read.soup.points.size(), expected.points.size());
-    // Text has eleven digits.
+    // Numbers in text have eleven digits.
     for (std::size_t v = 0; v < expected.points.size(); ++v)
       EXPECT_LT((read.soup.points[v] - expected.points[v]).norm(),
                 entry.path().filename() == "ascii.vtp" ? 1e-9 : 1e-300);

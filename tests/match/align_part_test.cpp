@@ -14,7 +14,7 @@ RigidTransform pose(double angle) {
   return result;
 }
 
-// The side of a surface where x is below a limit: open.
+// The open part of a surface in which x is below a limit.
 Mesh side(const TriangleSoup& soup, double limit) {
   TriangleSoup part;
   std::vector<int> index(soup.points.size(), -1);
@@ -54,7 +54,7 @@ TEST(AlignPart, FindsTheWayBackFromAnyPose) {
 }
 
 TEST(AlignPart, AnswersAreSortedAndDiffer) {
-  const TriangleSoup soup = testing::torus_soup(60, 30);  // every turn about its axis fits
+  const TriangleSoup soup = testing::torus_soup(60, 30);  // every rotation about its axis fits equally well
   const std::vector<Alignment> all = align_part(side(soup, 0), build_mesh(soup), RunContext(1));
   ASSERT_EQ(all.size(), 4u);
   for (std::size_t i = 1; i < all.size(); ++i) {

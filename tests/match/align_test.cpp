@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-// A torus that no rotation maps onto itself; `long_process` mm of a blunt spike stand out on one side.
+// A torus that no rotation maps onto itself, with a blunt spike of length `long_process` [mm] on one side.
 TriangleSoup odd_torus(int around, int tube, double long_process = 0) {
   TriangleSoup soup = testing::torus_soup(around, tube);
   for (Vec3& p : soup.points) {
@@ -39,7 +39,7 @@ RigidTransform random_pose(Rng& rng) {
   return Eigen::Translation3d(place(), place(), place()) * q.normalized();
 }
 
-// The largest distance between where two motions put the vertices.
+// The largest distance between the positions of a vertex after two motions.
 double difference(const Mesh& mesh, const RigidTransform& a, const RigidTransform& b) {
   double largest = 0;
   for (const Vec3& p : mesh.positions()) largest = std::max(largest, (a * p - b * p).norm());
@@ -84,7 +84,7 @@ TEST(Align, ExchangingTheShapesInvertsTheMotion) {
   EXPECT_NEAR(there.residual, back.residual, 1e-3);
 }
 
-// The motion that plain least squares over the true partners (vertex by vertex) would make.
+// The least-squares motion for the true matches, vertex by vertex.
 RigidTransform least_squares(const Mesh& moving, const Mesh& fixed) {
   const auto columns = [](const Mesh& mesh) {
     Eigen::Matrix3Xd points(3, mesh.vertex_count());
@@ -95,7 +95,8 @@ RigidTransform least_squares(const Mesh& moving, const Mesh& fixed) {
 }
 
 TEST(Align, AProcessThatTheOtherLacksPullsLittle) {
-  // Vertices about half a millimetre apart, as those of real vertebrae: the robust scale feels their spacing.
+  // The vertices are about half a millimetre apart, as on real vertebrae, because their spacing affects the
+  // robust scale.
   const Mesh fixed = build_mesh(odd_torus(240, 120)), moving = build_mesh(odd_torus(240, 120, 12));
   const RigidTransform same = RigidTransform::Identity();
   const double plain_pull = difference(fixed, least_squares(moving, fixed), same);
@@ -156,7 +157,7 @@ TEST(Align, RealVertebraeFromAnyPose) {
   FORAMEN_NEEDS_REAL_DATA();
   const Mesh fixed = testing::real_mesh("lumbar/verse005_L2");
   Rng rng(4);
-  // Other subjects, other levels, the most unlike one.
+  // Vertebrae of other subjects and levels, including the most different one.
   for (const char* name : {"lumbar/verse581_L1", "lumbar/verse631_L5", "thoracic/verse561_T4"}) {
     SCOPED_TRACE(name);
     const Mesh moving = testing::real_mesh(name);
@@ -164,7 +165,8 @@ TEST(Align, RealVertebraeFromAnyPose) {
     const Alignment here = align(moving, fixed, ctx), there = align(transformed(moving, pose), fixed, ctx);
     EXPECT_TRUE(here.converged);
     EXPECT_LT(difference(moving, there.transform * pose, here.transform), 0.05);
-    // All were scanned lying on the back: left stays left, head stays up, the rest is the spine's curvature.
+    // All subjects were scanned lying on the back. Therefore, left and head keep their directions, except for
+    // the curvature of the spine.
     EXPECT_GT(here.transform.linear()(0, 0), 0.95);
     EXPECT_LT(angle(here.transform), 40 * pi / 180);
     EXPECT_GT(here.second_best, 1.05 * here.residual);
@@ -200,7 +202,7 @@ TEST(RigidStep, FindsASmallMotion) {
     return largest;
   };
   const double second_order =
-      5e-6;  // angle times translation, and angle^2 times size; the motion itself is 0.04
+      5e-6;  // terms of second order: angle times translation, and angle^2 times size; the motion is 0.04
   for (double share : {0.0, 0.1, 1.0})
     EXPECT_LT(error(detail::rigid_step(matches, ones, {.point_share = share})), second_order);
   const RigidTransform half = detail::rigid_step(matches, ones, {.length = 0.5});

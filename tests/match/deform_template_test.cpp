@@ -44,7 +44,7 @@ TEST_F(DeformTemplate, StaysOnItself) {
 
 TEST_F(DeformTemplate, RecoversASmoothDisplacementAlsoAlongTheSurface) {
   const Mesh goal = displaced(surface, truth);
-  // Another triangulation of the displaced surface: no vertex of the template is among its vertices.
+  // The displaced surface in another triangulation, which has no vertex of the template.
   const Mesh shape = displaced(build_mesh(knobbly_torus_soup(83, 47)), truth);
   const auto bent = deform_template(surface, functions, shape, ctx);
   const TriangleTree tree(shape);
@@ -64,17 +64,17 @@ TEST_F(DeformTemplate, MovesWithTheTwoSurfaces) {
   EXPECT_LT(rms(transformed(here, motion), there), 0.02);
 }
 
-TEST_F(DeformTemplate, GoesOnFromAStart) {
+TEST_F(DeformTemplate, ContinuesFromAStart) {
   const Mesh shape = displaced(surface, truth);
   const auto bent = deform_template(surface, functions, shape, ctx, {.noise_mm = {0.25}, .iterations = 1},
                                     shape.positions());
   EXPECT_LT(rms(bent, shape.positions()), 0.15);
 }
 
-TEST_F(DeformTemplate, AKnownDirectionOfDisplacementIsKeptTo) {
+TEST_F(DeformTemplate, APriorThatKnowsTheDirectionLowersTheError) {
   const Mesh goal = displaced(surface, truth);
   const Mesh shape = displaced(build_mesh(knobbly_torus_soup(83, 47)), truth);
-  // The truth among the functions, half as strong.
+  // The direction that the prior knows is half the true displacement.
   Eigen::MatrixX3d displacement(surface.vertex_count(), 3);
   for (VertexId v : surface.vertices())
     displacement.row(v.index) = 0.5 * (goal.position(v) - surface.position(v)).transpose();

@@ -1,11 +1,11 @@
 #include "match/oriented_points.hpp"
-#include "spatial/point_index.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "foramen/core/error.hpp"
+#include "spatial/point_index.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen {
@@ -110,7 +110,8 @@ TEST(IndexedPoints, FindWhatSearchingAllFinds) {
 }
 
 TEST(NearestVertices, StayOnTheirSideOfAThinWall) {
-  // Moved by more than a wall's thickness, each vertex still finds itself and not the wall's other side.
+  // The surface is moved by more than the thickness of the wall. Each vertex must still find itself and not
+  // the other side of the wall.
   const Mesh wall = build_mesh(testing::walled_torus_soup(120, 60, 1, 0.4, 0.3));
   RigidTransform shift = RigidTransform::Identity();
   shift.translation() = Vec3(0.3, 0.3, 0.9);

@@ -1,9 +1,9 @@
 #include "match/rigid_descent.hpp"
-#include "match/oriented_points.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "match/oriented_points.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen::detail {
@@ -13,7 +13,7 @@ const RunContext ctx(1);
 
 RigidTransform turn(double angle) { return RigidTransform(Eigen::AngleAxisd(angle, Vec3::UnitZ())); }
 
-// A surface's samples among its vertices: at the identity they fit.
+// The samples are vertices of the surface itself, so the identity fits exactly.
 class RigidDescent : public ::testing::Test {
  protected:
   const Mesh mesh = build_mesh(testing::lopsided_torus_soup(60, 30));

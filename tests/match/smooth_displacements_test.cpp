@@ -1,5 +1,4 @@
 #include "match/smooth_displacements.hpp"
-#include "foramen/match/bending_options.hpp"
 
 #include <cmath>
 
@@ -7,6 +6,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {

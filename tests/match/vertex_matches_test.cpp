@@ -1,10 +1,10 @@
 #include "match/vertex_matches.hpp"
-#include "foramen/match/bending_options.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/match/bending_options.hpp"
 #include "match/robust_weight.hpp"
 
 namespace foramen {
@@ -20,7 +20,7 @@ std::vector<VertexMatch> matches_at(const std::vector<double>& distances) {
 
 TEST(MatchCut, IsSoManyMediansAndNeverLessThanOfTheLeast) {
   EXPECT_DOUBLE_EQ(match_cut(matches_at({9, 1, 2}), {}), 4 * 2);
-  EXPECT_DOUBLE_EQ(match_cut(matches_at({9, 1, 2, 3}), {.rejection = 3}), 3 * 3);  // the upper of two
+  EXPECT_DOUBLE_EQ(match_cut(matches_at({9, 1, 2, 3}), {.rejection = 3}), 3 * 3);  // the upper median
   EXPECT_DOUBLE_EQ(match_cut(matches_at({0.1, 0.2, 7}), {}), 4 * 0.5);
   EXPECT_DOUBLE_EQ(match_cut(matches_at({0.1, 0.2, 7}), {.least_median_mm = 1}), 4 * 1);
 }

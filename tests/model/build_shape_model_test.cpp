@@ -10,7 +10,7 @@
 namespace foramen {
 namespace {
 
-// A torus whose points all move along their normals' third coordinate by a factor, and then as a whole.
+// A torus whose height is scaled by a factor, and which is then moved as a whole.
 std::vector<Vec3> member(double factor, double angle) {
   const Mat3 rotation = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   std::vector<Vec3> points = testing::torus_soup(12, 8).points;

@@ -84,7 +84,7 @@ TEST(LandmarkWeights, RigidMotionAndSizeOfAllChangeNothing) {
 TEST(LandmarkWeights, RefusesALandmarkWithoutArea) {
   Shapes shapes = jittered(3);
   const auto& first = surface().triangles[0];
-  for (auto& shape : shapes)  // all around the first triangle's first corner falls into one point
+  for (auto& shape : shapes)  // the triangles around a vertex collapse to a point
     for (const auto& t : surface().triangles)
       if (std::find(t.begin(), t.end(), first[0]) != t.end())
         for (const int c : t) shape[c] = Vec3(1, 2, 3);

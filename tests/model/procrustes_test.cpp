@@ -110,7 +110,7 @@ TEST(FitSimilarity, NeverChoosesAReflection) {
   const auto points = cloud(30, 7);
   std::vector<Vec3> mirrored = points, flat = points;
   for (Vec3& p : mirrored) p.x() = -p.x();
-  for (Vec3& p : flat) p.z() = 0;  // a plane: the reflection through it would fit just as well
+  for (Vec3& p : flat) p.z() = 0;  // in a plane, a reflection would fit equally well
   for (const auto& fixed : {mirrored, flat}) {
     const SimilarityTransform fit = fit_similarity(points, fixed, ScaleMode::keep);
     EXPECT_NEAR(fit.rotation.determinant(), 1.0, 1e-12);
@@ -207,7 +207,7 @@ TEST(Procrustes, RemovesScaleToTheAverageSize) {
   const ProcrustesResult removed = procrustes(shapes, ScaleMode::remove);
   EXPECT_GT(largest_difference(kept.aligned[0], kept.aligned[2]), 1);
   EXPECT_LT(largest_difference(removed.aligned[0], removed.aligned[2]), 1e-11);
-  EXPECT_NEAR(removed.transforms[0].scale, 1.25, 1e-12);  // average size is that of the shape in the middle
+  EXPECT_NEAR(removed.transforms[0].scale, 1.25, 1e-12);  // the average size is that of the middle shape
   EXPECT_NEAR(removed.transforms[1].scale, 1.0, 1e-12);
   EXPECT_NEAR(removed.transforms[2].scale, 1 / 1.2, 1e-12);
 }

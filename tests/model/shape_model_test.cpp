@@ -88,7 +88,7 @@ TEST(ShapeModel, AgreesWithTheFullCovariance) {
 TEST(ShapeModel, ModesAreOrthonormalOrderedAndSigned) {
   Shapes shapes = random_shapes(12, 100, 6);
   for (std::size_t s = 0; s < shapes.size();
-       ++s)  // spreads of 8 decades, where the Gram matrix alone loses orthogonality
+       ++s)  // variances over 8 decades, for which the Gram matrix alone loses orthogonality
     for (std::size_t i = 0; i < 100; ++i)
       shapes[s][i] =
           shapes[0][i] + std::pow(10.0, -0.35 * static_cast<double>(s)) * (shapes[s][i] - shapes[0][i]);
@@ -135,7 +135,7 @@ TEST(ShapeModel, FewerIndependentShapesGiveFewerModes) {
 TEST(ShapeModel, IdenticalShapesHaveNoModes) {
   const auto shape = random_shapes(1, 200, 10)[0];
   EXPECT_EQ(model_of_aligned({shape, shape, shape}, {}).modes(), 0);
-  Shapes turned;  // equal but for pose: what rounding of the alignment leaves is not a mode
+  Shapes turned;  // shapes that differ only in pose; rounding errors of the alignment must not become a mode
   for (int s = 0; s < 4; ++s) {
     const Eigen::AngleAxisd turn(0.7 * s, Vec3(1, 2, 3).normalized());
     turned.emplace_back();
@@ -184,7 +184,7 @@ TEST(ShapeModel, DrawsHaveTheModelsVariance) {
     sum += b;
     squares += b.cwiseAbs2();
   }
-  for (int m = 0; m < model.modes(); ++m) {  // five standard errors
+  for (int m = 0; m < model.modes(); ++m) {  // tolerance of five standard errors
     EXPECT_NEAR(sum[m] / draws, 0, 5 * std::sqrt(model.variance()[m] / draws));
     EXPECT_NEAR(squares[m] / draws / model.variance()[m], 1, 5 * std::sqrt(2.0 / draws));
   }

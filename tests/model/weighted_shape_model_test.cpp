@@ -33,7 +33,7 @@ std::vector<double> random_weights(std::size_t count, std::uint64_t seed) {
   return weights;
 }
 
-/// W of the inner product x^T W y.
+/// The diagonal of W in the inner product x^T W y.
 Eigen::VectorXd per_coordinate(const std::vector<double>& weights) {
   Eigen::VectorXd w(3 * std::ssize(weights));
   for (Eigen::Index k = 0; k < w.size(); ++k) w[k] = weights[k / 3];
@@ -113,7 +113,7 @@ TEST(WeightedShapeModel, LandmarkRmsIsTheWeightedRoot) {
   EXPECT_DOUBLE_EQ(model.total_weight(), 4);
 }
 
-// Where landmarks stand more densely, weights can make up for it.
+// Weights can compensate for a higher density of landmarks.
 TEST(WeightedShapeModel, ALandmarkTwiceWithHalfItsWeightChangesNothing) {
   const Shapes shapes = random_shapes(7, 18, 29);
   const auto weights = random_weights(18, 30);
@@ -135,7 +135,7 @@ TEST(WeightedShapeModel, ALandmarkTwiceWithHalfItsWeightChangesNothing) {
   EXPECT_LT((a.scores(flattened(one.aligned[2]), 6) - b.scores(flattened(two.aligned[2]), 6)).norm(), 1e-8);
   EXPECT_NEAR(a.landmark_rms(flattened(one.aligned[0]), a.mean()),
               b.landmark_rms(flattened(two.aligned[0]), b.mean()), 1e-9);
-  // Without weights the landmark that stands there twice counts twice.
+  // Without weights, the duplicated landmark has twice the influence.
   EXPECT_GT(
       std::abs(model_of_aligned(doubled, {}).variance()[0] - model_of_aligned(shapes, {}).variance()[0]),
       1e-3);

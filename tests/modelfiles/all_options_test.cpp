@@ -1,9 +1,10 @@
-// What must hold for the options of every struct that decides a result.
+// Requirements for the options of every struct that affects a result.
 
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "core/option_bytes.hpp"
 #include "foramen/apply/complete_surface.hpp"
 #include "foramen/core/options.hpp"
 #include "foramen/correspond/group_options.hpp"
@@ -20,7 +21,7 @@
 namespace foramen {
 namespace {
 
-/// Stands for a value of any type where none is made.
+/// Converts to any type, for expressions that are not evaluated.
 struct AnyValue {
   template <class T>
   operator T() const;  // NOLINT(google-explicit-constructor)
@@ -31,7 +32,7 @@ constexpr bool takes(std::index_sequence<fields...>) {
   return requires { Struct{((void)fields, AnyValue{})...}; };
 }
 
-/// How many fields an aggregate has: the most values it can be made of.
+/// The number of fields of an aggregate: the largest number of values from which it can be initialised.
 template <class Struct, std::size_t tried = 40>
 constexpr std::size_t field_count() {
   if constexpr (takes<Struct>(std::make_index_sequence<tried>{}))
@@ -79,7 +80,7 @@ void change(std::vector<Item>& list) {
     change(list.back());
 }
 
-/// Changes option `which` of all those in the struct and within it.
+/// Changes the option with index `which` among those of the struct and its nested structs.
 template <DescribedOptions Options>
 void change_option(Options& options, int which) {
   for_each_option(options, [&](const std::string&, auto& field, const OptionText&) {

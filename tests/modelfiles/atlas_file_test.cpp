@@ -14,7 +14,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A torus with loops along both of its angles; its map is of no matter here.
+// A torus with loops along both of its angles. Its map does not matter here.
 Atlas torus_atlas() {
   constexpr int around = 8, tube = 6;
   Atlas atlas;

@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Tori a, b and c of outer radii 28, 56 and 84 mm; the first landmark lies at the outermost point.
+// Tori a, b and c with outer radii of 28, 56 and 84 mm. The first landmark is the outermost point.
 class FolderOfThree : public ::testing::Test {
  protected:
   void SetUp() override {

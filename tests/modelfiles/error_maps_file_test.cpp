@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/evaluate/representation.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {
@@ -38,6 +39,17 @@ TEST_F(ErrorMapsFile, ComesBackInTheOrderOfTheNames) {
   EXPECT_THAT(maps[1].landmark_mm, ElementsAre(0.5, 0.25, 0));
   EXPECT_THAT(maps[1].plain_flips, ElementsAre(0, 3));
   EXPECT_THAT(maps[1].confirmed_flips, ElementsAre(3));
+}
+
+TEST_F(ErrorMapsFile, InSinglePrecisionIsWhatIsReadBack) {
+  ErrorMap map{{}, {1, 2}, {2}};
+  for (int i = 0; i < 100; ++i) map.landmark_mm.push_back(0.1 * i);
+  write_error_maps(file_, {{"a", map}});
+  const ErrorMap read = read_error_maps(file_, {"a"}, 100, 4).front(), rounded = in_single_precision(map);
+  EXPECT_NE(rounded.landmark_mm, map.landmark_mm);
+  EXPECT_EQ(rounded.landmark_mm, read.landmark_mm);
+  EXPECT_EQ(rounded.plain_flips, read.plain_flips);
+  EXPECT_EQ(rounded.confirmed_flips, read.confirmed_flips);
 }
 
 TEST_F(ErrorMapsFile, OfAnotherModelIsRefused) {

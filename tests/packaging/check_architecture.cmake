@@ -1,21 +1,21 @@
 # cmake -D ROOT=... -D MODULES="core;io;..." -P check_architecture.cmake
 #
-# docs/architecture.md and the code agree: the rooms of the list are the modules in their order, every file it names
-# exists, and every call of the first table is declared in the header and defined in the source of its row.
+# Checks docs/architecture.md against the code: the list has all modules in their order, every file named there exists,
+# and every call of the first table is declared in the header and defined in the source of its row.
 cmake_policy(VERSION 3.25)
 file(READ ${ROOT}/docs/architecture.md text)
 set(problems "")
 
 string(REGEX MATCHALL "\n\\| [a-z]+ \\| [^|]+ \\|" rows "${text}")
-set(rooms "")
+set(listed "")
 foreach(row IN LISTS rows)
-  string(REGEX REPLACE "\n\\| ([a-z]+) \\|.*" "\\1" room "${row}")
-  if(NOT room STREQUAL "room")
-    list(APPEND rooms ${room})
+  string(REGEX REPLACE "\n\\| ([a-z]+) \\|.*" "\\1" module "${row}")
+  if(NOT module STREQUAL "module")
+    list(APPEND listed ${module})
   endif()
 endforeach()
-if(NOT rooms STREQUAL MODULES)
-  list(APPEND problems "the rooms are ${rooms}, the modules ${MODULES}")
+if(NOT listed STREQUAL MODULES)
+  list(APPEND problems "the list has ${listed}, the modules are ${MODULES}")
 endif()
 
 string(REGEX MATCHALL "`(src|include|apps|tests)/[A-Za-z0-9_/]+\\.[a-z]+`" files "${text}")
@@ -48,4 +48,4 @@ if(problems)
   list(JOIN problems "\n  " text)
   message(FATAL_ERROR "docs/architecture.md does not fit the code:\n  ${text}")
 endif()
-message(STATUS "${count} calls and all rooms of docs/architecture.md are there")
+message(STATUS "${count} calls and all modules of docs/architecture.md are there")

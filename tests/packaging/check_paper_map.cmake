@@ -1,7 +1,8 @@
 # cmake -D ROOT=... -P check_paper_map.cmake
 #
-# docs/paper-map.md and the code point at each other: every tag [key Eq. N] in a source has a row that begins with that tag, every such
-# row's tag stands in a source, every file a row names exists, and every key that a source cites is in docs/bibliography.bib.
+# Checks docs/paper-map.md against the code: every tag [key Eq. N] in a source has a row that begins with this tag, the
+# tag of every such row occurs in a source, every file that a row names exists, and every key that a source cites is in
+# docs/bibliography.bib.
 cmake_policy(VERSION 3.25)
 file(READ ${ROOT}/docs/paper-map.md map)
 file(READ ${ROOT}/docs/bibliography.bib bibliography)

@@ -1,13 +1,17 @@
 # cmake -D ROOT=... -P check_prose.cmake
 #
-# Pages are read in editors and terminals, too: no line of prose in README.md, CHANGELOG.md and docs/ is longer than 120
-# characters, and no cell of a table longer than 100, since a longer cell is a paragraph and belongs below the table. Code
-# (fenced or indented), images and link definitions cannot be broken, and may be longer.
+# Prose is read in editors and terminals, so its lines must not be too long:
+# - in README.md, CHANGELOG.md and docs/, no line is longer than 120 characters, and no cell of a table longer than 100,
+#   because a longer cell is a paragraph and belongs below the table. Code (fenced or indented), images and link
+#   definitions cannot be broken, and may be longer.
+# - comments are at most as wide as the code around them: 110 characters in C++, 120 elsewhere. clang-format leaves
+#   comments as they are, so it does not check this.
 cmake_policy(VERSION 3.25)
 set(longest_line 120)
 set(longest_cell 100)
+set(longest_cpp_comment 110)
 
-# How many characters a text has: its bytes but for those that continue a character of UTF-8 (10xxxxxx).
+# The number of characters of a text: the number of its bytes without continuation bytes of UTF-8 (10xxxxxx).
 function(count_characters text result)
   string(HEX "${text}" bytes)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "\\1 " bytes "${bytes}")
@@ -17,7 +21,8 @@ function(count_characters text result)
   set(${result} ${length} PARENT_SCOPE)
 endfunction()
 
-# Adds to `problems` if the text is longer than the limit. Bytes are counted first: that is cheap, and never too few.
+# Adds to `problems` if the text is longer than the limit. Bytes are counted first, because that is fast and never gives
+# a smaller number.
 function(require_short what where text limit)
   string(LENGTH "${text}" length)
   if(length LESS_EQUAL limit)
@@ -32,7 +37,7 @@ endfunction()
 
 function(check_page page)
   file(READ ${ROOT}/${page} text)
-  # Characters that mean something in CMake's lists become others, one for one; \| is a bar within a cell.
+  # Characters with a meaning in CMake's lists are replaced, one by one. \| is a bar within a cell.
   string(REPLACE "\\|" "//" text "${text}")
   string(REPLACE "\\" "/" text "${text}")
   string(REPLACE ";" "," text "${text}")
@@ -76,6 +81,19 @@ function(check_page page)
   set(problems "${problems}" PARENT_SCOPE)
 endfunction()
 
+# Requires that no line of the files that matches `comment` is longer than the limit.
+function(check_comments files comment limit)
+  math(EXPR too_long "${limit} + 1")
+  foreach(file IN LISTS files)
+    file(STRINGS ${ROOT}/${file} lines REGEX "${comment}" LENGTH_MINIMUM ${too_long})
+    foreach(line IN LISTS lines)
+      string(SUBSTRING "${line}" 0 60 beginning)
+      require_short("a comment" "${file}: ${beginning}..." "${line}" ${limit})
+    endforeach()
+  endforeach()
+  set(problems "${problems}" PARENT_SCOPE)
+endfunction()
+
 set(problems "")
 file(GLOB_RECURSE pages RELATIVE ${ROOT} ${ROOT}/docs/*.md)
 list(APPEND pages README.md CHANGELOG.md)
@@ -85,6 +103,25 @@ endforeach()
 list(LENGTH pages page_count)
 if(page_count LESS 10)
   list(APPEND problems "found only ${page_count} pages in ${ROOT}")
+endif()
+
+set(sources "")
+set(scripts dev .ci/run CMakeLists.txt)
+foreach(folder IN ITEMS apps bench cmake examples fuzz include python src studies tests)
+  file(GLOB_RECURSE found RELATIVE ${ROOT} ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/*.hpp)
+  list(APPEND sources ${found})
+  file(GLOB_RECURSE found RELATIVE ${ROOT} ${ROOT}/${folder}/CMakeLists.txt ${ROOT}/${folder}/*.cmake ${ROOT}/${folder}/*.sh
+       ${ROOT}/${folder}/*.py)
+  list(APPEND scripts ${found})
+endforeach()
+file(GLOB_RECURSE viewer RELATIVE ${ROOT} ${ROOT}/viewer/src/*.ts ${ROOT}/viewer/tests/*.ts)
+# A comment in C++ may stand behind code; a // behind a quotation mark is taken for a part of a text.
+check_comments("${sources}" "^[^\"']*//" ${longest_cpp_comment})
+check_comments("${scripts}" "^ *#" ${longest_line})
+check_comments("${viewer}" "^ *(//|/?[*])" ${longest_line})
+list(LENGTH sources source_count)
+if(source_count LESS 100)
+  list(APPEND problems "found only ${source_count} sources in ${ROOT}")
 endif()
 if(problems)
   list(JOIN problems "\n  " text)

@@ -16,7 +16,7 @@ run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer)
 run(${WORK}/build/io_consumer)
 
-# The examples, against the installed package.
+# The examples are built against the installed package.
 run(${CMAKE_COMMAND} -S ${SOURCE}/examples/cpp -B ${WORK}/examples -DCMAKE_PREFIX_PATH=${WORK}/prefix
     -DCMAKE_BUILD_TYPE=Release)
 run(${CMAKE_COMMAND} --build ${WORK}/examples)

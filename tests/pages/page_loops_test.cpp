@@ -54,7 +54,7 @@ void expect_right_angles(const std::vector<PageView>& views) {
   }
 }
 
-// A torus whose front is thicker, as the body of a vertebra is.
+// A torus whose front is thicker, like the body of a vertebra.
 Mesh torus_with_body() {
   TriangleSoup soup = testing::torus_soup(60, 24, major, minor);
   for (Vec3& p : soup.points)

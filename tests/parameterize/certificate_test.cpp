@@ -32,12 +32,12 @@ TEST(Certificate, CountsFlippedTriangles) {
   const MapCertificate c = certify(mesh, map);
   EXPECT_EQ(c.flipped, testing::flipped_triangles(mesh, map));
   EXPECT_GT(c.flipped, 0);
-  EXPECT_EQ(c.degree, 1);  // moving a vertex never changes it
+  EXPECT_EQ(c.degree, 1);  // moving a vertex does not change the degree
   EXPECT_FALSE(c.valid());
 }
 
-// Three points on a line, a millionth of a quantum of rounding apart in double arithmetic: only integers
-// decide it.
+// Three points on a line. In floating-point arithmetic, the sign of the area is lost in rounding; integer
+// arithmetic gives exactly zero.
 TEST(Certificate, SeesATriangleOfExactlyNoArea) {
   auto [mesh, map] = mapped_bumpy_torus(12, 9, 2);
   map = quantised(mesh, map);
@@ -58,7 +58,7 @@ TEST(Certificate, SeesInconsistentPeriods) {
   const TorusMap good = map;
   map.jumps[HalfedgeId(5)] += Vec2i(1, 0);
   EXPECT_FALSE(certify(mesh, map).periods_consistent);
-  map.jumps[mesh.twin(HalfedgeId(5))] -= Vec2i(1, 0);  // antisymmetric, but the two faces do not close
+  map.jumps[mesh.twin(HalfedgeId(5))] -= Vec2i(1, 0);  // antisymmetric, but not closed
   EXPECT_FALSE(certify(mesh, map).periods_consistent);
   EXPECT_TRUE(certify(mesh, good).periods_consistent);
 }

@@ -70,7 +70,8 @@ TEST(Distortion, IsFourForAnIsometryAndKnownForAStretch) {
   EXPECT_NEAR(rest_triangle(surface, 2).area, 4 * area(surface), 1e-13);
 }
 
-// Measured on the target the triangle is where the metric puts it, as if the plane were the target.
+// The distortion with a metric equals that of the triangle mapped to a plane in which the metric is
+// Euclidean.
 TEST(Distortion, OnATargetIsThatOfTheTriangleCarriedThere) {
   Rng rng(4);
   for (int k = 0; k < 200; ++k) {
@@ -92,7 +93,7 @@ TEST(Distortion, IsInfiniteWithoutPositiveArea) {
   EXPECT_TRUE(std::isinf(distortion_gradient(rest, Vec4(0, 1, 1, 0)).value));
 }
 
-// A metric of the target in half of the cases.
+// Half of the cases have a metric of the target.
 TEST(DistortionTerm, AgreesWithCentralDifferences) {
   Rng rng(2);
   for (int k = 0; k < 200; ++k) {
@@ -133,8 +134,8 @@ TEST(DistortionTerm, ClampingRemovesExactlyTheNegativeEigenvalues) {
   EXPECT_GT(indefinite, 20);
 }
 
-// In between, the Hessian is the mixture of the clamped and the true one; where nothing was clamped, both are
-// the same.
+// With damping between 0 and 1, the Hessian is a mixture of the clamped and the true one. If nothing is
+// clamped, both are equal.
 TEST(DistortionTerm, DampingMixesTheClampedAndTheTrueHessian) {
   Rng rng(5);
   int indefinite = 0;
@@ -160,7 +161,7 @@ TEST(DistortionTerm, IsFiniteWhereSingularValuesCoincide) {
   EXPECT_EQ(term.value, 4);
   EXPECT_EQ(term.gradient, Vec4::Zero());
   const Eigen::SelfAdjointEigenSolver<Mat4> eigen(
-      term.hessian);  // three times 2 + 6, and no resistance to rotation
+      term.hessian);  // three eigenvalues 2 + 6, and 0 for the rotation
   EXPECT_NEAR((eigen.eigenvalues() - Vec4(0, 8, 8, 8)).norm(), 0, 1e-12);
 }
 

@@ -1,5 +1,4 @@
 #include "parameterize/initial_map.hpp"
-#include "topology/periods.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +7,12 @@
 #include "foramen/parameterize/certificate.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "support/real_meshes.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {
 
-// Loops in the order and so the orientation that gives a positive map.
+// Loops in the order, and therefore the orientation, that gives a positive map.
 LoopSystem oriented_loops(const Mesh& mesh, VertexId basepoint, const EdgeMap<double>& weights) {
   LoopSystem loops = greedy_loops(mesh, basepoint, weights);
   try {
@@ -77,7 +77,7 @@ TEST(RectangleMap, HasNoFlipAndThePeriodsOfItsLoops) {
   EXPECT_GT(basepoints, 100);
 }
 
-// Random edge weights make loops with spurs, shared stretches and chords.
+// With random edge weights, loops have spurs, shared edges and chords.
 TEST(RectangleMap, CopesWithCrookedLoops) {
   const auto [mesh, map] = testing::mapped_bumpy_torus(20, 14, 7);
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

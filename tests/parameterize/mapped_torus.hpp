@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Tori whose closed 1-form follows from the grid they are made of, and checks of their maps.
+/// Tori whose closed 1-form follows from their grid, and checks of their maps.
 
 #include <array>
 #include <cmath>
@@ -39,7 +39,7 @@ inline TorusGrid matching_cells(const TorusGrid& grid, const TriangleSoup& origi
   return out;
 }
 
-/// The jump of an edge is how often it passes from the last row (column) to the first.
+/// The closed form in which the jump of an edge counts its passages from the last row (column) to the first.
 inline Cocycle grid_form(const Mesh& mesh, const TorusGrid& grid) {
   const auto jump = [](int from, int to, int count) {
     return to - from > count / 2 ? -1 : from - to > count / 2 ? 1 : 0;
@@ -63,7 +63,8 @@ inline MappedTorus mapped_bumpy_torus(int around, int tube, std::uint64_t seed) 
   return {mesh, harmonic_torus_map(mesh, grid_form(mesh, regular_cells(around, tube)))};
 }
 
-/// A flat torus of these sides: folded flat along lines of its grid, so that every triangle keeps its shape.
+/// A flat torus with these sides, folded along lines of its grid so that it lies in space and every triangle
+/// keeps its shape.
 /// \pre even counts
 inline Mesh folded_flat_torus(int around, int tube, double length_mm, double width_mm) {
   TriangleSoup soup = torus_soup(around, tube);
@@ -90,7 +91,7 @@ inline int flipped_triangles(const Mesh& mesh, const TorusMap& map) {
   return count;
 }
 
-/// The first triangle that is not positive; invalid if all are.
+/// The first triangle without positive area; invalid if all have positive area.
 inline FaceId first_flipped(const Mesh& mesh, const TorusMap& map) {
   for (FaceId f : mesh.faces())
     if (!(signed_area(mesh, map, f) > 0)) return f;

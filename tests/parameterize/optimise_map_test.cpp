@@ -1,6 +1,4 @@
 #include "parameterize/optimise_map.hpp"
-#include "foramen/parameterize/optimiser.hpp"
-#include "topology/periods.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +8,11 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 #include "parameterize/distortion.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "support/real_meshes.hpp"
+#include "topology/periods.hpp"
 
 namespace foramen {
 namespace {
@@ -28,7 +28,7 @@ MATCHER(NeverIncreases, "") {
   return true;
 }
 
-// Half the squared distance to a target per vertex, to the nearest of its translates.
+// Half the squared distance of each vertex to the nearest translate of its target.
 class Pull : public CorrespondenceObjective {
  public:
   Pull(const Mesh& mesh, const TorusMap& target)
@@ -46,7 +46,7 @@ class Pull : public CorrespondenceObjective {
   VertexMap<Vec2> target_;
 };
 
-// A pull of no strength at all.
+// An objective that is zero everywhere.
 class NoPull : public CorrespondenceObjective {
  public:
   Term term(VertexId, const Vec2&) const override { return {}; }
@@ -79,8 +79,8 @@ TEST(OptimiseMap, FindsTheIsometryOfAFlatTorusAgain) {
   EXPECT_NEAR(out.final_energy, 4, 1e-9);
 }
 
-// A flat torus of 80 x 20 mm on the square torus: s1 = 1/2, s2 = 2 everywhere. With the lattice free: its
-// own, 2 x 1/2.
+// A flat torus of 80 x 20 mm, mapped to the square torus, has the singular values 1/2 and 2 everywhere. If
+// the lattice is free, the result is the lattice 2 x 1/2, without distortion.
 TEST(OptimiseMap, FindsTheLatticeOfAFlatTorus) {
   const Mesh mesh = testing::folded_flat_torus(24, 10, 80, 20);
   const TorusMap start = harmonic_torus_map(mesh, testing::grid_form(mesh, testing::regular_cells(24, 10)));
@@ -114,7 +114,7 @@ TEST(OptimiseMap, EveryIterateIsWithoutFlips) {
   const MappedTorus torus = mapped_bumpy_torus(40, 22, 4);
   for (const Optimiser method : {Optimiser::newton, Optimiser::polak_ribiere})
     for (int limit = 0; limit < 6; ++limit) {
-      OptimiseMapOptions options = tight();  // so that Newton, too, is not done before the limit
+      OptimiseMapOptions options = tight();  // so that Newton's method also reaches the limit
       options.optimiser = method;
       options.iteration_limit = limit;
       const OptimisedMap out = optimise_map(torus.mesh, torus.map, quiet, options);
@@ -136,7 +136,7 @@ TEST(OptimiseMap, FreeingTheLatticeNeverCostsEnergy) {
     EXPECT_NEAR(out.map.lattice.determinant(), 1, 1e-12);
     EXPECT_EQ(out.map.lattice(1, 0), 0);
     EXPECT_TRUE(certify(torus.mesh, out.map).valid());
-    // The same positions and lattice, measured afresh.
+    // The energy is computed again for the same positions and lattice.
     OptimiseMapOptions none;
     none.iteration_limit = 0;
     EXPECT_NEAR(optimise_map(torus.mesh, out.map, quiet, none).final_energy, out.final_energy, 1e-9);
@@ -226,7 +226,7 @@ TEST(OptimiseMap, FollowsAPullAcrossTheCut) {
   const auto [mesh, map] = mapped_bumpy_torus(24, 10, 3);
   TorusMap target = optimise_map(mesh, map, quiet).map;
   for (Vec2& p : target.turns)
-    p = Vec2(wrap(p.x() + 0.2), wrap(p.y() - 0.25));  // jumps do not matter to the pull
+    p = Vec2(wrap(p.x() + 0.2), wrap(p.y() - 0.25));  // the objective does not depend on jumps
   const Pull pull(mesh, target);
   for (const Optimiser method : {Optimiser::newton, Optimiser::polak_ribiere})
     for (const Weighting weighting : {Weighting::area, Weighting::each}) {

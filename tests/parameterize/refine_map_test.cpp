@@ -24,7 +24,7 @@ using ::testing::HasSubstr;
 
 constexpr int around = 48, tube = 32;
 
-// The map of torus_soup(around, tube) that everyone would draw: vertex (i, j) at (i/around, j/tube).
+// The regular map of torus_soup(around, tube): vertex (i, j) is at (i/around, j/tube).
 TorusMap grid_map(const Mesh& mesh) {
   TorusMap map;
   map.turns = VertexMap<Vec2>(mesh.vertex_count(), Vec2::Zero());
@@ -39,8 +39,8 @@ TorusMap grid_map(const Mesh& mesh) {
   return map;
 }
 
-// What becomes of a closed form of the input on the working mesh: before each collapse the removed vertex is
-// shifted by whole turns so that it lies beside the kept one without a jump.
+// The closed form on the working mesh that a closed form of the input becomes. Before each collapse, the
+// removed vertex is shifted by whole turns, so that its edge to the kept vertex has no jump.
 Cocycle carried(const Mesh& input, const WorkingMesh& working, Cocycle form) {
   auto triangles = input.triangles();
   for (const Collapse& c : working.collapses) {
@@ -64,7 +64,8 @@ Cocycle carried(const Mesh& input, const WorkingMesh& working, Cocycle form) {
   return out;
 }
 
-// Whether two closed forms have the same periods: their difference is that of whole numbers at the vertices.
+// Whether two closed forms have the same periods, that is, whether their difference is the coboundary of
+// integers at the vertices.
 bool same_periods(const Mesh& mesh, const HalfedgeMap<Vec2i>& a, const HalfedgeMap<Vec2i>& b) {
   VertexMap<Vec2i> potential(mesh.vertex_count(), Vec2i::Zero());
   VertexMap<char> known(mesh.vertex_count(), 0);
@@ -162,7 +163,7 @@ TEST(RefineMap, LeavesTheWorkingVerticesWhereTheyAre) {
     EXPECT_EQ(r.fine.turns[r.working.vertex_origin[v]], r.coarse.turns[v]);
 }
 
-// What it is for: the solve on the input starts next to its minimum.
+// The purpose of refinement is that the optimisation on the input mesh starts near its minimum.
 TEST(RefineMap, OfAMapOfLeastDistortionIsNearlyOne) {
   const Refined r = refine_torus(testing::bumpy_torus_soup(around, tube, 11), 400);
   const RunContext ctx(1);
@@ -183,8 +184,8 @@ TEST(RefineMap, WithoutCollapsesTheMapIsTheSame) {
   EXPECT_EQ(fine.jumps, map.jumps);
 }
 
-// Mean-value coordinates are exact for affine maps: in a flat patch a vertex comes back to where it was, from
-// every neighbour, also across the cut.
+// Mean-value coordinates are exact for affine maps. Therefore, a removed vertex of a flat patch returns to
+// its place, from every neighbour and also across the cut.
 TEST(RefineMap, AFlatPatchIsRestoredExactly) {
   for (const int centre_i : {20, 0})
     for (const int centre_j : {10, 31}) {
@@ -200,7 +201,8 @@ TEST(RefineMap, AFlatPatchIsRestoredExactly) {
       for (HalfedgeId h : mesh.fan(v)) {
         const WorkingMesh working = collapsed(mesh, h);
         TorusMap coarse;
-        // The restriction of the exact map; the removed vertex's own jumps go with the shift of carried().
+        // The map is the restriction of the exact map. The shift in carried() takes account of the jumps of
+        // the removed vertex.
         coarse.jumps = carried(mesh, working, {exact.jumps}).value;
         for (VertexId w : working.vertex_origin) coarse.turns.values().push_back(exact.turns[w]);
         const TorusMap fine = refine_map(mesh, working, coarse);
@@ -232,7 +234,7 @@ TEST(RefineMap, DoesNotDependOnThePoseOfTheSurface) {
   for (VertexId v : r.input.vertices()) EXPECT_LT((other.turns[v] - r.fine.turns[v]).norm(), 1e-8);
 }
 
-// Twisted bases squeeze all triangles into slivers.
+// In twisted bases, all triangles are slivers.
 TEST(RefineMap, KeepsTheOrientationInAnyLattice) {
   const Refined r = refine_torus(testing::bumpy_torus_soup(around, tube, 7), 150);
   for (int twists : {1, -3, 20}) {
@@ -249,7 +251,8 @@ TEST(RefineMap, KeepsTheOrientationInAnyLattice) {
   }
 }
 
-// The surface gives no hint at all: all vertices are noise. What is left is the kernel.
+// All positions in space are noise, so they do not help to place a vertex. Only the kernel of its star is
+// left.
 TEST(RefineMap, KeepsTheOrientationWhateverTheSurface) {
   const Refined r = refine_torus(testing::bumpy_torus_soup(around, tube, 8), 100);
   Rng rng(9);

@@ -79,7 +79,7 @@ TEST(BlockCholesky, SolvesLikeADenseFactorisation) {
   for (const auto& [name, torus] : testing::genus1_maps()) {
     SCOPED_TRACE(name);
     BlockCholesky cholesky(torus.mesh, torus_coordinates(torus));
-    for (int again = 0; again < 2; ++again) {  // the second time into the same memory
+    for (int again = 0; again < 2; ++again) {  // the second time, the same memory is used
       const BlockMatrix m = random_definite(torus.mesh, rng);
       const Eigen::MatrixXd rhs =
           Eigen::MatrixXd::NullaryExpr(2 * torus.mesh.vertex_count(), 3, [&] { return rng.normal(); });

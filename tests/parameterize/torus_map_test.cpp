@@ -60,7 +60,7 @@ TEST(TorusMap, WrappingKeepsEveryEdge) {
   auto [mesh, map] = mapped_bumpy_torus(12, 9, 1);
   map.lattice << 1.2, 0.3, 0, 1 / 1.2;
   Rng rng(3);
-  for (VertexId v : mesh.vertices()) {  // the same map with points many turns away
+  for (VertexId v : mesh.vertices()) {  // the same map, with points translated by many turns
     const Vec2i whole(rng.below(7) - 3, rng.below(7) - 3);
     map.turns[v] += whole.cast<double>();
     for (HalfedgeId h : mesh.fan(v)) {

@@ -19,7 +19,8 @@ constexpr int around = 80, tube = 40;
 // The first triangle of the quad at these steps about the axis and about the tube.
 int triangle_at(int i, int j) { return 2 * (i * tube + j); }
 
-// A patch on top of the tube, a quarter round, and single triangles everywhere else.
+// Marked triangles: a patch on top of the tube, a quarter turn round the ring, and single triangles
+// elsewhere.
 std::vector<int> scattered_and_a_patch() {
   std::vector<int> marked;
   for (int i = 0; i < around; i += 8) marked.push_back(triangle_at(i, 0));
@@ -39,7 +40,7 @@ TEST(CloseUp, LooksFromOutsideAtTheDensestMarks) {
   EXPECT_LT(std::max(std::abs(place.x()), std::abs(place.y())), 5);
 }
 
-// A whole torus of marked triangles inside the tube changes nothing: it cannot be seen.
+// A torus of marked triangles inside the tube changes nothing, because it is hidden.
 TEST(CloseUp, WhatIsHiddenDoesNotCount) {
   TriangleSoup soup = testing::torus_soup(around, tube);
   std::vector<int> marked = scattered_and_a_patch();
@@ -57,7 +58,7 @@ TEST(CloseUp, WhatIsHiddenDoesNotCount) {
   EXPECT_EQ(before.direction, after.direction);
 }
 
-// A single triangle in sixty slivers does not outweigh the patch.
+// A triangle that is divided into sixty slivers does not outweigh the patch.
 TEST(CloseUp, AreaCountsAndNotTheNumberOfTriangles) {
   TriangleSoup soup = testing::torus_soup(around, tube);
   std::vector<int> marked = scattered_and_a_patch();
@@ -65,7 +66,7 @@ TEST(CloseUp, AreaCountsAndNotTheNumberOfTriangles) {
   const Camera before = close_up(soup, marked, options);
   const int split = triangle_at(0, 0);  // a scattered one
   std::array<int, 3> t = soup.triangles[split];
-  for (int k = 0; k < 60; ++k) {  // cut off one corner after the other towards the middle of an edge
+  for (int k = 0; k < 60; ++k) {  // cut off one corner after the other, along a line to the middle of an edge
     const int middle = static_cast<int>(soup.points.size());
     soup.points.emplace_back((soup.points[t[1]] + soup.points[t[2]]) / 2);
     marked.push_back(static_cast<int>(soup.triangles.size()));

@@ -53,7 +53,7 @@ TEST(ColouredSurface, APointHasTheColourOfItsValue) {
   EXPECT_EQ(surface.vertex_colours[6], colour_of(scale, 0));
 }
 
-// The bar's colour at a height is that of the number written there, and all of it is in the picture.
+// The colour of the bar at a tick is that of the number beside it, and the picture contains the whole bar.
 TEST(ColourBar, ATickStandsBesideItsColour) {
   const ColourScale scale{0.5, "mm"};
   const Scene bar = colour_bar(scale, 40);

@@ -23,7 +23,7 @@ double area(const GridPiece& piece) {
   return doubled / 2;
 }
 
-// Triangles of all sizes between a part of a cell and many cells; in some, corners lie on lines.
+// Triangles of sizes from a part of a cell to many cells. Some have corners on lines.
 std::vector<Triangle> triangles() {
   Rng rng(5);
   std::vector<Triangle> out;
@@ -74,7 +74,7 @@ TEST(GridCut, BarycentricCoordinatesAreThoseOfTheCorners) {
       }
 }
 
-// Every point is in the piece of the cell that it lies in, and no cell has two pieces.
+// Every point of the triangle is in the piece of its cell, and no cell has two pieces.
 TEST(GridCut, APointIsInThePieceOfItsCell) {
   Rng rng(6);
   for (const Triangle& t : triangles()) {

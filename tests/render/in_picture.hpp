@@ -6,7 +6,7 @@
 
 namespace foramen::testing {
 
-/// Where a point is in the picture, right and up of its centre, in mm.
+/// The place of a point in the picture, in mm to the right of and above its centre.
 inline Vec2 in_picture(const Camera& camera, const Vec3& p) {
   return {camera.direction.cross(camera.up).dot(p - camera.centre), camera.up.dot(p - camera.centre)};
 }

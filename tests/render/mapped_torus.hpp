@@ -1,5 +1,5 @@
 #pragma once
-// A torus of revolution with the map that its own angles are, and loops along both of them.
+// A torus of revolution with the map by its two angles, and with loops along both of them.
 
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/torus_map.hpp"
@@ -26,7 +26,7 @@ inline MappedTorus mapped_torus(int around, int tube) {
   map.jumps = HalfedgeMap<Vec2i>(mesh.halfedge_count(), Vec2i::Zero());
   for (HalfedgeId h : mesh.halfedges()) {
     const Vec2i step = angle_of(mesh.to(h)) - angle_of(mesh.from(h));
-    // One step, unless it goes across the end of a period.
+    // The jump of an edge, which is 0 unless the edge crosses the end of a period.
     const auto jump = [](int s) { return s > 1 ? -1 : s < -1 ? 1 : 0; };
     map.jumps[h] = Vec2i(jump(step.x()), jump(step.y()));
   }

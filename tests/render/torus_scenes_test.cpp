@@ -46,7 +46,7 @@ TEST(CheckerCells, AreEvenAndNearlySquare) {
   EXPECT_EQ(checker_cells(lattice, 1), Vec2i(2, 2));
 }
 
-// Pieces lie in their triangles: same area, same enclosed volume, and they close.
+// The pieces form a closed surface with the same area and the same volume.
 TEST(CheckeredSurface, IsTheSurface) {
   const MappedTorus torus = mapped_torus(17, 11);
   const SceneSurface surface = checkered_surface(torus.mesh, torus.map, {6, 10});
@@ -62,9 +62,9 @@ TEST(CheckeredSurface, IsTheSurface) {
   EXPECT_NEAR(volume, signed_volume(torus.mesh), 1e-9 * volume);
 }
 
-// 8 cells round the axis, 4 round the tube: a point's angles say its colour.
+// There are 8 cells round the axis and 4 round the tube. The angles of a point determine its colour.
 TEST(CheckeredSurface, EveryPieceHasTheColourOfItsCell) {
-  const MappedTorus torus = mapped_torus(64, 32);  // lines of cells run along edges, exactly
+  const MappedTorus torus = mapped_torus(64, 32);  // borders of cells are exactly along edges
   const SceneSurface surface = checkered_surface(torus.mesh, torus.map, {8, 4});
   ASSERT_EQ(surface.vertex_colours.size(), surface.soup.points.size());
   EXPECT_EQ(surface.soup.triangles.size(), torus.mesh.triangles().size());

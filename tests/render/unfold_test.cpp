@@ -18,7 +18,7 @@ EdgeMap<bool> cut_along(const MappedTorus& torus) {
   return cut;
 }
 
-// From the edge's place in the face of h to its place in the face of its twin.
+// The shift from the edge in the face of h to the same edge in the face of its twin.
 Vec2i apart(const Mesh& mesh, const UnfoldedMap& unfolded, HalfedgeId h) {
   return unfolded.shift[Mesh::next(mesh.twin(h))] - unfolded.shift[h];
 }
@@ -36,7 +36,7 @@ TEST(Unfold, FacesKeepTheirShapesAndTouchUnlessCut) {
   }
 }
 
-// Left of the first loop lies the domain's lower side, left of the second its right side.
+// The lower side of the domain is left of the first loop, its right side left of the second loop.
 TEST(Unfold, BothCopiesOfALoopAreOnePeriodApart) {
   const MappedTorus torus = mapped_torus(14, 9);
   const UnfoldedMap unfolded = unfold(torus.mesh, torus.map, cut_along(torus));

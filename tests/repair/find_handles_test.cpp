@@ -28,7 +28,8 @@ TEST(FindCanal, OfATorusHasTheLengthsOfItsPolygons) {
   }
 }
 
-// Also where the canal is longer than the arch is round, and in any pose and order.
+// The result does not depend on pose and order, also if the loop round the canal is longer than that round
+// the arch.
 TEST(FindCanal, DoesNotDependOnPoseOrOrder) {
   const TriangleSoup soup = testing::torus_soup(40, 20, 20, 14);
   const RigidTransform motion = Eigen::Translation3d(100, -200, 31) *

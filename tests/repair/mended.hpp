@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What must hold of every repaired surface, and short ways to say what was mended.
+/// Requirements for every repaired surface, and helpers to check the list of changes.
 
 #include <algorithm>
 #include <utility>
@@ -14,14 +14,15 @@
 
 namespace foramen::testing {
 
-/// How many of a kind were mended.
+/// The number of repaired defects of a kind.
 inline int count(const RepairedMesh& repaired, RepairKind kind) {
   for (const RepairChange& change : repaired.report.changes)
     if (change.kind == kind) return change.count();
   return 0;
 }
 
-/// Usable, and the ways there and back agree.
+/// The repaired surface, after checking that it is usable and that its maps to and from the raw surface
+/// agree.
 inline RepairedMesh mended(const TriangleSoup& raw, const RepairOptions& options = {}) {
   RepairedMesh repaired = repair_mesh(raw, options);
   EXPECT_FALSE(obstacle_to_model(inspect_mesh(repaired.mesh.soup())));
@@ -41,14 +42,14 @@ inline RepairedMesh mended(const TriangleSoup& raw, const RepairOptions& options
   return repaired;
 }
 
-/// The changes listed are these, in this order.
+/// Expects that the report lists these changes in this order.
 inline void expect_only(const RepairedMesh& repaired, std::vector<std::pair<RepairKind, int>> expected) {
   std::vector<std::pair<RepairKind, int>> found;
   for (const RepairChange& change : repaired.report.changes) found.emplace_back(change.kind, change.count());
   EXPECT_EQ(found, expected) << summary(repaired.report);
 }
 
-/// To the bit.
+/// Expects that mesh and soup have exactly the same coordinates and triangles.
 inline void expect_same(const Mesh& mesh, const TriangleSoup& soup) {
   EXPECT_EQ(mesh.triangles(), soup.triangles);
   EXPECT_TRUE(

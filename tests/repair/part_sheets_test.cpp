@@ -47,7 +47,7 @@ TEST(PartSheets, ASurfaceWithoutMeetingPairsStaysAsItIs) {
   for (VertexId v : mesh.vertices()) EXPECT_EQ(same.mesh.position(v), mesh.position(v));
 }
 
-TEST(PartSheets, AWallThinnerThanNothingGetsAThickness) {
+TEST(PartSheets, AWallWithIntersectingSidesGetsAThickness) {
   TriangleSoup soup = torus_soup(120, 60);
   for (Vec3& p : soup.points) p.z() *= 0.1;
   raise_hill(soup, Vec3(20, 0, 0.8), 2, Vec3(0, 0, -1.75), [](const Vec3& p) { return p.z() > 0; });
@@ -59,7 +59,7 @@ TEST(PartSheets, AWallThinnerThanNothingGetsAThickness) {
   EXPECT_GT(signed_volume(after.mesh), signed_volume(before)) << "outward";
 }
 
-TEST(PartSheets, AGapThinnerThanNothingIsOpened) {
+TEST(PartSheets, AGapWithIntersectingSidesIsOpened) {
   // A hole that is a slit, 8 mm by 2 mm, with a hill on one side that reaches into the other.
   TriangleSoup soup = torus_soup(80, 120, 20, 16);
   for (Vec3& p : soup.points) p.y() *= 0.25;
@@ -94,7 +94,7 @@ TEST(PartSheets, PlacesAreMendedEachByItself) {
   expect_parted(before, part_sheets(before));
 }
 
-TEST(PartSheets, ASurfaceThatIsAllKnotsIsRefused) {
+TEST(PartSheets, ASurfaceThatIntersectsItselfEverywhereIsRefused) {
   TriangleSoup soup = torus_soup(60, 30);
   Rng rng(1);
   for (Vec3& p : soup.points) p = Vec3(rng.uniform(), rng.uniform(), rng.uniform());
@@ -105,7 +105,8 @@ TEST(PartSheets, RealDataACollapsedTunnelIsMendedOrLeftAlone) {
   FORAMEN_NEEDS_REAL_DATA();
   const Mesh mended = testing::real_mesh("cervical/verse561_C5_genus2");
   expect_parted(mended, part_sheets(mended));
-  // Parting this one would close a tunnel, which is for remove_handles() to judge.
+  // Separating these sheets would close a tunnel. remove_handles() has to decide about tunnels, so they are
+  // left.
   const Mesh left = testing::real_mesh("cervical/verse823_C6_genus4");
   const PartedSheets same = part_sheets(left);
   EXPECT_EQ(static_cast<int>(same.remaining.size()), meeting(left));

@@ -1,4 +1,5 @@
-// Random soups and random damage: no surface crashes a repair, and what it promises to mend it mends.
+// Random soups and random damage: no surface crashes a repair, and defects that repair promises to fix are
+// fixed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +24,8 @@ using testing::mended;
 using testing::renumbered;
 using testing::torus_soup;
 
-// A usable surface, or a refusal that says why. Whether it was mended.
+// Repairs a soup. The result must be usable, or the soup must be refused with a reason. Returns whether it
+// was repaired.
 bool mended_or_refused(const TriangleSoup& soup, const RepairOptions& options = {}) {
   try {
     mended(soup, options);
@@ -37,7 +39,7 @@ bool mended_or_refused(const TriangleSoup& soup, const RepairOptions& options = 
 TriangleSoup random_soup(Rng& rng) {
   TriangleSoup soup;
   const int points = 3 + rng.below(30), triangles = 1 + rng.below(60);
-  const bool on_grid = rng.below(2) == 0;  // many coincidences
+  const bool on_grid = rng.below(2) == 0;  // a coarse grid gives many coincident points
   for (int v = 0; v < points; ++v) {
     const Vec3 p(rng.uniform(0, 4), rng.uniform(0, 4), rng.uniform(0, 4));
     soup.points.push_back(on_grid ? Vec3(p.array().round()) : Vec3(10 * p));
@@ -53,15 +55,15 @@ double area_of(const TriangleSoup& soup) {
   return sum;
 }
 
-// Its points moved to scale * p + shift.
+// Adds another soup with its points moved to scale * p + shift.
 void add(TriangleSoup& soup, const TriangleSoup& other, double scale, const Vec3& shift) {
   const int n = static_cast<int>(soup.points.size());
   for (const Vec3& p : other.points) soup.points.emplace_back(scale * p + shift);
   for (const auto& t : other.triangles) soup.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
 }
 
-// A soup by itself may be refused. Beside a surface, where it shares no point with it and is much smaller, it
-// is a stray piece whatever it is, so the surface comes back every time. All its triangles together have a
+// A soup by itself may be refused. If it stands beside a surface, shares no point with it and is much
+// smaller, it is a stray piece, so repair must always return the surface. All its triangles together have a
 // twentieth of the surface's area, and a single piece may have a tenth.
 TEST(RepairAnything, AnySoupIsMendedOrRefusedAndDroppedBesideASurface) {
   const TriangleSoup torus = torus_soup(16, 10);
@@ -78,7 +80,7 @@ TEST(RepairAnything, AnySoupIsMendedOrRefusedAndDroppedBesideASurface) {
   }
 }
 
-// Triangles by the positions of their corners, whatever their order and first corner.
+// The triangles by the positions of their corners, independent of their order and first corner.
 std::vector<std::array<double, 9>> surface_of(const TriangleSoup& soup) {
   std::vector<std::array<double, 9>> triangles;
   for (const auto& t : soup.triangles) {
@@ -99,7 +101,7 @@ class Planted {
   explicit Planted(Rng rng)
       : rng_(rng), clean_(testing::bumpy_torus_soup(24 + rng_.below(12), 12 + rng_.below(6), rng_.bits())) {
     soup_ = clean_;
-    // Defects that change triangles take a triangle each.
+    // Each defect that changes triangles uses a triangle of its own.
     faces_.resize(clean_.triangles.size());
     for (std::size_t f = 0; f < faces_.size(); ++f) faces_[f] = f;
     for (std::size_t f = faces_.size(); f > 1; --f)
@@ -134,7 +136,7 @@ class Planted {
   }
   const TriangleSoup& clean() const { return clean_; }
   const TriangleSoup& soup() const { return soup_; }
-  /// What a repair must report.
+  /// The changes that a repair must report.
   const std::vector<std::pair<RepairKind, int>>& expected() const { return expected_; }
 
  private:
@@ -163,8 +165,8 @@ class Planted {
   std::vector<std::pair<RepairKind, int>> expected_;
 };
 
-// Nothing of the surface is missing, so it comes back to the bit every time, and what is reported is what was
-// planted.
+// No part of the surface is missing. Therefore, repair must return it with the same bits, and must report
+// exactly the planted defects.
 TEST(RepairAnything, WhatIsPlantedIsTakenAwayAndCounted) {
   for (std::uint64_t seed = 0; seed < 80; ++seed) {
     SCOPED_TRACE(seed);
@@ -177,8 +179,8 @@ TEST(RepairAnything, WhatIsPlantedIsTakenAwayAndCounted) {
 
 constexpr int all_damage = 6, promised_damage = 3;
 
-// One edit of a surface. The first three kinds are promised to be mended: a triangle gone, one twice, one
-// wound the other way.
+// One random change of a surface. Repair promises to fix the first three kinds: a missing triangle, a
+// duplicate triangle, and a triangle with the opposite winding.
 void damage(TriangleSoup& soup, int kind, Rng& rng) {
   const std::size_t f = rng.below(static_cast<int>(soup.triangles.size()));
   const std::size_t v = rng.below(static_cast<int>(soup.points.size()));
@@ -204,7 +206,7 @@ void damage(TriangleSoup& soup, int kind, Rng& rng) {
   }
 }
 
-// In every second soup all damage is of kinds that are promised to be mended. Triangles that are missing
+// In every second soup, all damage is of the kinds that repair promises to fix. Triangles that are missing
 // leave holes in this torus and never cut it through: there are eight at most, and a closed walk that does
 // not bound has ten edges or more. The holes' borders together are shorter than 250 mm, since no triangle's
 // is longer than 30 mm.

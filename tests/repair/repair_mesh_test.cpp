@@ -134,7 +134,7 @@ TEST(RepairMesh, TrianglesWithoutAreaGo) {
   TriangleSoup soup = torus();
   const auto t = soup.triangles[7];
   const Vec3 a = soup.points[t[0]], b = soup.points[t[1]];
-  {  // a corner used twice: the rest is whole
+  {  // a triangle with a repeated corner; the rest is intact
     TriangleSoup repeated = soup;
     repeated.triangles.push_back({t[0], t[1], t[1]});
     expect_same(mended(repeated).mesh, soup);
@@ -190,7 +190,7 @@ TEST(RepairMesh, SolidsThatTouchAlongAnEdgeAreParted) {
 }
 
 TEST(RepairMesh, PartsOfOneSurfaceThatTouchInAPointOrAlongAnEdgeAreParted) {
-  // Opposite sides of the hole drawn out to the axis until they meet.
+  // Opposite sides of the hole are moved to the axis until they meet.
   const auto draw_out = [](int i, const Vec3& to) {
     TriangleSoup soup = torus_soup(around, tube, 20, 14);
     soup.points[grid(i, tube / 2)] = to;
@@ -270,7 +270,7 @@ TEST(RepairMesh, SmallHolesAreFilledSmoothly) {
   EXPECT_TRUE(self_intersections(TriangleTree(repaired.mesh)).empty());
   for (const Vec3& p : repaired.report.changes[1].positions)
     EXPECT_LT(std::min((p - torus().points[grid(4, 3)]).norm(), (p - torus().points[grid(20, 8)]).norm()), 1);
-  // New vertices keep to the torus, whose tube has a radius of 8 mm.
+  // New vertices lie near the torus, whose tube has a radius of 8 mm.
   for (VertexId v : repaired.mesh.vertices()) {
     const Vec3 p = repaired.mesh.position(v);
     if (repaired.origin[v].valid()) continue;

@@ -60,7 +60,7 @@ TEST(SvgChart, PlacesPointsByTheirValues) {
   EXPECT_NEAR((y1 - y2) * 2, y2 - y3, 0.05);
 }
 
-// What stands above the plot: the smallest y of a curve's points is below the last line of the legend.
+// The legend is above the plot: all points of the curves are below its last line.
 TEST(SvgChart, TheLegendHidesNoCurve) {
   Chart chart{"t", "modes", "mm", {}};
   for (int i = 0; i < 5; ++i)

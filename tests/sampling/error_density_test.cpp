@@ -1,6 +1,4 @@
 #include "sampling/error_density.hpp"
-#include "foramen/sampling/sampling_options.hpp"
-#include "sampling/torus_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +7,15 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "foramen/sampling/sampling_options.hpp"
 #include "sampling/mapped_tori.hpp"
+#include "sampling/torus_grid.hpp"
 
 namespace foramen {
 namespace {
 
-/// A shape and the grid over it. Its landmarks are the vertices of a torus; the shape is the same but for one
-/// vertex, pulled out of the torus.
+/// A shape and its grid. The landmarks are the vertices of a torus. The shape is this torus with one vertex
+/// moved outward.
 class ErrorDensity : public ::testing::Test {
  protected:
   static constexpr double height_mm = 2;
@@ -58,11 +58,11 @@ class ErrorDensity : public ::testing::Test {
                            const ErrorDensityOptions& options = {}) const {
     return raised_by_error(density, grid, shapes, triangles(), ctx, options);
   }
-  /// Of two torus positions, in turns.
+  /// The distance of two torus positions, in turns.
   static double distance(const Vec2& a, const Vec2& b) {
     return std::hypot(std::remainder(a.x() - b.x(), 1.0), std::remainder(a.y() - b.y(), 1.0));
   }
-  /// How many steps along rows and columns of the grid, round the torus.
+  /// The number of steps between two points along rows and columns of the grid, round the torus.
   int steps(int point, int other) const {
     const auto around = [](int a, int b, int count) {
       const int d = std::abs(a - b);
@@ -123,7 +123,7 @@ TEST_F(ErrorDensity, GoesRoundTheTorus) {
     EXPECT_NEAR(factor(k, 0), factor(grid.rows - k, 0), 1e-12);
     EXPECT_NEAR(factor(k, k), factor(grid.rows - k, grid.columns - k), 1e-12);
   }
-  // A place just short of a whole turn is that of none, however many turns are counted.
+  // A position just below a whole turn belongs to the point at 0, whatever number of whole turns is added.
   VertexMap<Vec2> turns = torus.map.turns;
   turns[spike] = Vec2(1 - 1e-9, 1 - 1e-9);
   EXPECT_EQ(raised({{&shape, &turns, landmarks()}}), result);

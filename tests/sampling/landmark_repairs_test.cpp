@@ -1,10 +1,10 @@
 #include "sampling/landmark_repairs.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/mapped_cohort.hpp"
 
 namespace foramen::detail {
@@ -16,11 +16,11 @@ using testing::MappedCohort;
 using testing::spikes;
 using testing::walled_torus;
 
-/// Landmarks on all shapes, each change looked at as a whole.
+/// The landmarks on all shapes, checked completely after each change.
 struct State {
   TorusTriangulation mesh;
   LiftedLandmarks lifted;
-  std::vector<std::vector<std::pair<FaceId, FaceId>>> pairs;  // of triangles that meet, of each shape
+  std::vector<std::vector<std::pair<FaceId, FaceId>>> pairs;  // intersecting triangles of each shape
 
   State(const LandmarkMesh& landmarks, const MappedCohort& cohort)
       : mesh(landmarks.turns, landmarks.triangles, landmarks.jumps),

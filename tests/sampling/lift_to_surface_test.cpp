@@ -16,7 +16,7 @@ namespace {
 using detail::Fixed2;
 using testing::MappedSurface;
 
-/// A torus whose map is bent and compressed, with vertices in any translate.
+/// A torus with a deformed map, whose vertices are translated by random whole turns.
 MappedSurface bent(int points, double strength, std::uint64_t seed) {
   MappedSurface m = testing::torus(points);
   Rng rng(seed);
@@ -33,7 +33,7 @@ MappedSurface bent(int points, double strength, std::uint64_t seed) {
   return m;
 }
 
-/// Faces that contain a point, closed, by looking at all of them in all translates nearby.
+/// The closed faces that contain a point, found by testing all faces in all neighbouring translates.
 std::vector<int> faces_containing(const MappedSurface& m, const Vec2& turns) {
   std::vector<int> found;
   const Fixed2 q = detail::to_fixed(turns);
@@ -106,12 +106,13 @@ TEST(TorusLocator, AnyTranslateGivesTheSameAnswer) {
       EXPECT_EQ(r.barycentric, p.barycentric);
     }
   }
-  // What wraps to 1 by rounding is 0.
+  // A position that wrapping rounds to 1 must become 0.
   EXPECT_EQ(locator.locate(Vec2(-1e-17, 0.5)).face, locator.locate(Vec2(0, 0.5)).face);
 }
 
-/// The one triangle a point belongs to when moved by (e, e^2), found independently: by moving it by the
-/// smallest steps there are, on a map whose coordinates are coarse enough that these are infinitesimal.
+/// A point on an edge belongs to the triangle that contains it after a motion by (e, e^2) with infinitesimal
+/// e. The test moves it by the smallest possible steps, which are infinitesimal for a map with coarse
+/// coordinates.
 TEST(TorusLocator, PointsOnEdgesAndVerticesBelongToTheTriangleBesideThem) {
   MappedSurface m = testing::torus(200);
   const double coarse = 64;  // positions are multiples of 1/64 turn: edges have no slope below 2^-12
@@ -163,7 +164,7 @@ TEST(TorusLocator, RefusesMapsThatCannotBeInverted) {
   auto far = good.map;
   far.turns[VertexId(7)].x() = std::nan("");
   EXPECT_THROW(TorusLocator(good.mesh, far), InvalidInput);
-  // Twice round: positive triangles, but every point is covered twice.
+  // A map that covers the torus twice: all triangles are positive, but every point is covered twice.
   auto twice = good.map;
   for (Vec2& t : twice.turns) t.x() *= 2;
   for (Vec2i& j : twice.jumps) j.x() *= 2;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Shapes with known torus maps on which coarse landmark triangles are flipped or meet.
+/// Shapes with known torus maps, on which coarse landmark triangles are flipped or intersect.
 
 #include <cmath>
 #include <numbers>
@@ -18,7 +18,8 @@
 
 namespace foramen::testing {
 
-/// Shapes with what lifting and judging needs; its locators and trees refer to its surfaces.
+/// Shapes with the data that is needed to lift and check landmarks. The locators and trees refer to the
+/// surfaces of the same object.
 struct MappedCohort {
   std::vector<MappedSurface> surfaces;
   std::vector<TorusLocator> locators;
@@ -52,7 +53,8 @@ struct MappedCohort {
   }
 };
 
-/// A torus whose tube, 16 mm high, is pressed flat in one place: a bent wall of thickness 2 * half_wall_mm.
+/// A torus whose tube, which is 16 mm high, is flattened in one place to a bent wall of thickness 2 *
+/// half_wall_mm.
 inline MappedSurface walled_torus(double half_wall_mm, double middle_turns, double width_turns) {
   return mapped_surface("walled torus", rectangular_lattice(20, 8), 20000, [=](const Vec2& t) {
     const double x = std::remainder(t.x() - middle_turns, 1.0) / width_turns;
@@ -69,8 +71,8 @@ inline LandmarkMesh landmarks_of(const MappedSurface& m, int count) {
   return remesh(m.mesh, m.map, curvature_density(m.mesh), RunContext(1), {.landmarks = count});
 }
 
-/// The spiky torus three times, its maps bent differently: landmarks that suit the unbent map miss the thin
-/// tips.
+/// Three copies of the spiky torus whose maps are deformed in different ways. Landmarks that suit the
+/// original map miss the thin tips.
 inline MappedCohort bent_spikes(double strength) {
   std::vector<MappedSurface> out;
   for (int k = 0; k < 3; ++k) {

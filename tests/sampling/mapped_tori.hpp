@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Surfaces of genus 1 with a torus map that is known by construction: a grid of the torus lifted by a
-/// formula.
+/// Surfaces of genus 1 with a known torus map: a grid of the torus is mapped to space by a formula.
 
 #include <cmath>
 #include <functional>
@@ -46,7 +45,7 @@ inline MappedSurface torus(int points, double major_mm = 20, double minor_mm = 8
                         [=](const Vec2& t) { return on_torus(t, major_mm, minor_mm); });
 }
 
-/// With waves of different lengths on it.
+/// A torus with waves of different lengths.
 inline MappedSurface wavy_torus(int points) {
   return mapped_surface("wavy torus", rectangular_lattice(20, 8), points, [](const Vec2& t) {
     const double u = 2 * std::numbers::pi * t.x(), v = 2 * std::numbers::pi * t.y();
@@ -54,7 +53,7 @@ inline MappedSurface wavy_torus(int points) {
   });
 }
 
-/// With `count` thin spikes along the outer equator.
+/// A torus with `count` thin spikes along the outer equator.
 inline MappedSurface spiky_torus(int points, int count, double height_mm, double width_turns) {
   return mapped_surface("spiky torus", rectangular_lattice(20, 8), points, [=](const Vec2& t) {
     double height = 0;

@@ -1,10 +1,10 @@
 #include "sampling/refine_landmarks.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
 
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
 #include "foramen/parameterize/certificate.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/mapped_cohort.hpp"
 #include "spatial/self_intersections.hpp"
 
@@ -115,7 +115,7 @@ TEST(RefineLandmarks, AnotherRoundNeverEndsWithMore) {
 }
 
 TEST(RefineLandmarks, LeavesShapesWhoseInputMeetsItselfAsTheyAre) {
-  // The wall's sides have changed places.
+  // The two sides of the wall are exchanged.
   const MappedCohort cohort({walled_torus(-0.5, 0.0, 0.1)});
   ASSERT_FALSE(self_intersections(cohort.trees[0]).empty());
   const LandmarkMesh l = landmarks_of(testing::torus(20000), 400);
@@ -128,7 +128,7 @@ TEST(RefineLandmarks, LeavesShapesWhoseInputMeetsItselfAsTheyAre) {
 }
 
 TEST(RefineLandmarks, NeverLeavesMoreThanItFoundAndSaysWhatIsLeft) {
-  // One round and no new landmark: not enough here.
+  // One round without new landmarks is not enough here.
   const MappedCohort cohort = bent_spikes(0.04);
   const LandmarkMesh l = landmarks_of(spikes(), 800);
   const RefinedLandmarks r =

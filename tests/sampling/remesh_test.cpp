@@ -1,7 +1,4 @@
 #include "sampling/remesh.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
-#include "sampling/curvature_density.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +7,9 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/parameterize/certificate.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
+#include "foramen/sampling/sampling_options.hpp"
+#include "sampling/curvature_density.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"
 
@@ -24,7 +24,7 @@ Mesh lifted(const MappedSurface& m, const LandmarkMesh& landmarks) {
   return build_mesh({lift_to_surface(TorusLocator(m.mesh, m.map), landmarks.turns), landmarks.triangles});
 }
 
-/// Smallest angles of the triangles, degrees, sorted.
+/// The smallest angles of the triangles in degrees, sorted.
 std::vector<double> smallest_angles(const Mesh& mesh) {
   std::vector<double> out;
   for (FaceId f : mesh.faces()) {
@@ -108,7 +108,7 @@ TEST(Remesh, UniformDensityGivesEqualCells) {
 }
 
 TEST(Remesh, SamplesFollowTheDensity) {
-  // Half of the torus ten times as dense as the other, with a smooth change between.
+  // The density on one half of the torus is ten times that on the other half, with a smooth transition.
   const MappedSurface m = testing::torus(20000, 30, 6);
   VertexMap<double> density(m.mesh.vertex_count(), 1.0);
   for (VertexId v : m.mesh.vertices()) {

@@ -37,7 +37,7 @@ std::vector<Case> closed_meshes() {
           {"genus 2", build_mesh(testing::bumpy_genus2_soup(40, 20, 4)), 200}};
 }
 
-// Undoes the collapses on plain triples of indices, by the meaning of the record alone.
+// Undoes the collapses on plain triples of indices, using only the definition of the record.
 Triangles restored(const Mesh& input, const WorkingMesh& working) {
   Triangles triangles(input.face_count(), {-1, -1, -1});
   for (FaceId f : working.mesh.faces())
@@ -53,7 +53,7 @@ Triangles restored(const Mesh& input, const WorkingMesh& working) {
   return triangles;
 }
 
-// The triangles as coordinates, each starting at its smallest corner, in order: what does not depend on
+// The triangles by coordinates, each starting at its smallest corner, sorted. This does not depend on the
 // numbering.
 std::vector<std::vector<double>> geometry(const Mesh& mesh) {
   std::vector<std::vector<double>> out;
@@ -187,8 +187,7 @@ TEST(Simplify, NoTriangleTurnsByMoreThan60Degrees) {
     }
 }
 
-// On a torus of revolution nothing may stray far: the volume and the distance to the tube's surface are
-// known.
+// The volume of a torus of revolution and the distance to it are known, and both may change only a little.
 TEST(Simplify, StaysOnTheSurface) {
   constexpr double major = 20, minor = 8;
   const Mesh mesh = build_mesh(torus_soup(160, 80, major, minor));
@@ -200,15 +199,14 @@ TEST(Simplify, StaysOnTheSurface) {
     const double tube = std::hypot(std::hypot(centre.x(), centre.y()) - major, centre.z());
     worst = std::max(worst, std::abs(tube - minor));
   }
-  // An even mesh of so many triangles has edges of 2.1 mm: sagitta 2.1^2 / 3 / (2 * 8) = 0.09 mm at their
-  // centres.
+  // A regular mesh of this number of triangles has edges of 2.1 mm, and a distance of 2.1^2 / 3 / (2 * 8) =
+  // 0.09 mm at the centres of triangles.
   EXPECT_LT(worst, 0.22);
   EXPECT_NEAR(signed_volume(working.mesh), signed_volume(mesh), 0.015 * signed_volume(mesh));
 }
 
 TEST(Simplify, FlatPartsLoseTheirVerticesFirst) {
-  // A torus whose tube is a square with rounded corners would be long to write: flatten the top and bottom
-  // instead.
+  // Flattening the top and the bottom of a torus gives flat parts in a simple way.
   TriangleSoup soup = torus_soup(80, 60);
   for (Vec3& p : soup.points) p.z() = std::clamp(p.z(), -4.0, 4.0);
   const Mesh mesh = build_mesh(soup);
@@ -253,7 +251,7 @@ TEST(Simplify, ASmallMeshComesBackUnchanged) {
 }
 
 TEST(Simplify, TrianglesWithoutAreaDoNotStopIt) {
-  // A few vertices put onto a neighbour: needles and caps of area zero.
+  // A few vertices are moved onto a neighbour, which gives triangles of area zero.
   TriangleSoup soup = torus_soup(40, 30);
   for (int v : {35, 400, 777}) soup.points[v] = soup.points[v + 1];
   const Mesh mesh = build_mesh(soup);
@@ -283,7 +281,7 @@ TEST(Simplify, RealVertebrae) {
     EXPECT_EQ(restored(mesh, working), mesh.triangles());
     EXPECT_NEAR(signed_volume(working.mesh), signed_volume(mesh), 4e-3 * signed_volume(mesh));
     EXPECT_NEAR(total_area(working.mesh), total_area(mesh), 1e-2 * total_area(mesh));
-    // Every removed vertex lies near a triangle of the vertex it went into, at last.
+    // Every removed vertex lies near a triangle at the vertex into which it was finally collapsed.
     VertexMap<VertexId> heir(mesh.vertex_count());
     for (VertexId v : mesh.vertices()) heir[v] = v;
     double worst = 0;

@@ -17,7 +17,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A square of side `size` about the origin at height z, `cells` cells a side, facing up or down.
+// A square with side `size` around the origin at height z, with `cells` cells per side, facing up or down.
 TriangleSoup square(double size, int cells, double z, bool up) {
   TriangleSoup soup;
   for (int i = 0; i <= cells; ++i)
@@ -46,7 +46,8 @@ Mesh plate(double size, int cells, double thickness) {
   return build_mesh(std::move(soup));
 }
 
-// A torus with vertex 0 pulled across the opposite side of its ring, so that triangles there turn over.
+// A torus with vertex 0 moved across the opposite side of its ring of neighbours, so that triangles there are
+// flipped.
 Mesh folded_torus(const Mesh& torus) {
   std::vector<Vec3> points(torus.positions().begin(), torus.positions().end());
   const std::vector<HalfedgeId> fan = torus.fan(VertexId(0));
@@ -72,7 +73,7 @@ TEST(SampledFlips, AllOfASurfaceTurnedInsideOut) {
 
 TEST(SampledFlips, APlantedFoldIsCountedPlainAndConfirmed) {
   const Mesh input = build_mesh(testing::torus_soup(80, 40)), folded = folded_torus(input);
-  // The oracle: a triangle of the fold whose normal turned away from what it was.
+  // The expected result: the triangles whose normal opposes their original normal.
   std::vector<FaceId> turned;
   for (FaceId f : input.faces())
     if (area_vector(input.triangle(f)).dot(area_vector(folded.triangle(f))) < 0) turned.push_back(f);
@@ -90,7 +91,7 @@ TEST(SampledFlips, OnAThinWallPlainFlipsAreNotConfirmed) {
   const SampledFlips flips = sampled_flips(between, thin);
   EXPECT_EQ(flips.plain.size(), between.face_count());
   EXPECT_THAT(flips.confirmed, IsEmpty());
-  // The same on a thick plate is a flip: nothing within reach faces up.
+  // On a thick plate, the same triangles are flips, because nothing near them faces up.
   const SampledFlips thick =
       sampled_flips(build_mesh(square(8, 8, -1.05, true)), TriangleTree(plate(20, 40, 2.2)));
   EXPECT_EQ(thick.confirmed.size(), between.face_count());
@@ -99,8 +100,8 @@ TEST(SampledFlips, OnAThinWallPlainFlipsAreNotConfirmed) {
 TEST(SampledFlips, TheMarginIsAQuarterOfTheMeanLandmarkEdge) {
   const Mesh landmarks = build_mesh(square(8, 8, -0.2, true));
   const double margin = 0.25 * mean_edge_length(landmarks);
-  // Distance to the lower wall d, to the upper wall d + excess: confirmed when the excess is beyond the
-  // margin.
+  // The distance is d to the lower wall and d + excess to the upper wall. The flip is confirmed if the excess
+  // is larger than the margin.
   const auto confirmed = [&](double excess) {
     const double d = 0.1, thickness = 2 * d + excess;
     const Mesh moved =
@@ -150,10 +151,11 @@ TEST(OpposingMean, RefusesOtherTriangles) {
                InvalidInput);
 }
 
-// A strip of a plane and the same strip rolled up: nowhere folded, but half of it turned.
+// A plane strip and the same strip rolled up. It is not folded over anywhere, but half of its triangles have
+// opposite normals.
 TEST(FoldedOver, APartThatTurnsAsAWholeIsNotFolded) {
   constexpr int length = 60, width = 4;
-  constexpr double radius = length / 4.8;  // all but 300 degrees
+  constexpr double radius = length / 4.8;  // the strip covers an angle of 4.8 rad
   TriangleSoup flat, rolled;
   for (int i = 0; i <= length; ++i)
     for (int j = 0; j <= width; ++j) {
@@ -170,7 +172,7 @@ TEST(FoldedOver, APartThatTurnsAsAWholeIsNotFolded) {
   EXPECT_GT(opposing_mean(shape, mean), 100);
   EXPECT_EQ(folded_over(shape, mean), 0);
 
-  // One inner vertex drawn across the far edge of a triangle turns over that one, whatever the surface does.
+  // Moving an inner vertex across the opposite edge of a triangle flips this triangle on both strips.
   for (std::vector<Vec3> points : {flat.points, rolled.points}) {
     const auto corner = [&](int i, int j) { return points[at(i, j)]; };
     const Vec3 middle = 0.5 * (corner(20, 2) + corner(21, 3));
@@ -186,8 +188,8 @@ TEST(FoldedOver, CountsNothingThatIsFoldedInTheMeanToo) {
   EXPECT_THROW(folded_over(mean, build_mesh(testing::torus_soup(40, 80))), InvalidInput);
 }
 
-// Triangles laid flat on one of their sides have no normal; rounded to single precision they get one at
-// random.
+// Triangles that are collapsed to one of their sides have no normal. Rounding to single precision gives them
+// an arbitrary normal.
 TEST(SampledFlips, RoundingToSinglePrecisionTurnsNothingOver) {
   TriangleSoup soup = testing::torus_soup(60, 30);
   for (Vec3& p : soup.points) p = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * p + Vec3(31, -47, 90);

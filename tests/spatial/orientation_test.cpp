@@ -46,7 +46,8 @@ TEST(Orientation, IsThatOfTheAxes) {
   EXPECT_EQ(orientation(Vec2(0, 0), Vec2(1, 2), Vec2(3, 6)), 0);
 }
 
-// Points within one unit of a plane of large integers: most determinants are lost in the rounding of doubles.
+// Points with large integer coordinates within one unit of a plane. Most determinants are smaller than the
+// rounding errors of doubles.
 TEST(Orientation, AgreesWithIntegersWhereDoublesDoNotSuffice) {
   Rng rng(1);
   int lost = 0, in_plane = 0;
@@ -65,8 +66,9 @@ TEST(Orientation, AgreesWithIntegersWhereDoublesDoNotSuffice) {
   EXPECT_GT(in_plane, 1000);
 }
 
-// Numbers of very different size, so that their differences are no doubles. In the plane z = x the sign is 0,
-// and off it that of the step times that of the three points seen along z.
+// The numbers have very different sizes, so that their differences cannot be represented as doubles. In the
+// plane z = x the sign is 0. Outside the plane it is the sign of the step times the orientation of the three
+// points seen along z.
 TEST(Orientation, KeepsWhatDifferencesRoundAway) {
   Rng rng(2);
   const auto any = [&] { return std::ldexp(rng.uniform(0.5, 1), -rng.below(120)); };
@@ -83,7 +85,7 @@ TEST(Orientation, KeepsWhatDifferencesRoundAway) {
     ASSERT_EQ(orientation(lifted(a), lifted(b), lifted(c), Vec3(x, y, down)), -1);
     // A step of 2^-170 from a point of size 1 is lost in the difference of the two.
     ASSERT_EQ(orientation(lifted(a), lifted(b), lifted(c), Vec3(0, y, tiny)), 1);
-    // The same on the line y = x.
+    // The same test in the plane, for the line y = x.
     const Vec2 low = Vec2::Constant(any() / 8), high = Vec2::Constant(1 + any());
     ASSERT_EQ(orientation(low, high, Vec2(x, x)), 0);
     ASSERT_EQ(orientation(low, high, Vec2(x, up)), 1);
@@ -117,7 +119,7 @@ TEST(Orientation, InThePlaneAgreesWithIntegers) {
   Rng rng(4);
   int lost = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    // n^2 - (n + 1)(n - 1) = 1 is lost among terms of 100 bits.
+    // n^2 - (n + 1)(n - 1) = 1 is much smaller than its terms of 100 bits.
     const Vec3 p = integer_point(rng, 50);
     const Vec2 a = p.head<2>(), b = a + Vec2(p.z(), p.z() + 1);
     const Vec2 c = a + Vec2(p.z() - 1, p.z()) + rng.below(2) * Vec2(rng.below(3) - 1, rng.below(3) - 1);

@@ -27,7 +27,7 @@ std::vector<Vec3> random_normals(int count, std::uint64_t seed) {
   return normals;
 }
 
-// Integer coordinates, so that distances are exact and many are equal.
+// Points with integer coordinates, so that distances are exact and many are equal.
 std::vector<Vec3> grid(int side) {
   std::vector<Vec3> points;
   for (int i = 0; i < side; ++i)
@@ -36,7 +36,7 @@ std::vector<Vec3> grid(int side) {
   return points;
 }
 
-// Every point sorted by distance, then index.
+// All points, sorted by distance and then by index.
 template <class SquaredDistance>
 std::vector<NearPoint> all_by_distance(int count, const SquaredDistance& squared_distance) {
   std::vector<NearPoint> all;
@@ -70,7 +70,7 @@ TEST(PointIndex, EqualDistancesGoToTheSmallerIndex) {
   const auto points = grid(6);
   const PointIndex index(points);
   for (const Vec3& corner : grid(5)) {
-    const Vec3 query = corner + Vec3::Constant(0.5);  // eight points at one distance
+    const Vec3 query = corner + Vec3::Constant(0.5);  // eight points have the same distance
     const auto expected =
         all_by_distance(216, [&](std::size_t i) { return (points[i] - query).squaredNorm(); });
     EXPECT_EQ(index.nearest(query).index, expected[0].index);

@@ -25,7 +25,7 @@ using Pairs = std::vector<std::pair<FaceId, FaceId>>;
 
 Pairs pairs_of(const TriangleSoup& soup) { return self_intersections(TriangleTree(build_mesh(soup))); }
 
-// The oracle: integers, every pair, and other criteria than the library's.
+// The reference: integer arithmetic, all pairs, and other criteria than those of the library.
 using Int3 = Eigen::Matrix<std::int64_t, 3, 1>;
 using IntTriangle = std::array<Int3, 3>;
 
@@ -58,7 +58,8 @@ bool in_cone(const Int3& x, const Int3& p, const Int3& q) {
   return x.cross(q).dot(n) >= 0 && p.cross(x).dot(n) >= 0;
 }
 
-// Whether the cones of p, q and of r, s have a common ray: the signs of what combines p, q, -r, -s to zero.
+// Whether the cones of p, q and of r, s have a common ray, by the signs of the coefficients in a linear
+// combination of p, q, -r, -s that is zero.
 bool cones_meet(const Int3& p, const Int3& q, const Int3& r, const Int3& s) {
   const auto det = [](const Int3& x, const Int3& y, const Int3& z) { return x.dot(y.cross(z)); };
   const std::array<std::int64_t, 4> combination{det(q, r, s), -det(p, r, s), -det(p, q, s), det(p, q, r)};
@@ -109,8 +110,8 @@ Oracle brute_force(const Mesh& mesh) {
   return oracle;
 }
 
-// A torus on a coarse grid of integers, its vertices moved about: everything happens, touching and lying in
-// one plane more than anything.
+// A torus on a coarse integer grid with randomly moved vertices. All kinds of intersections occur, most often
+// touching and coplanar triangles.
 Mesh crumpled_torus(std::uint64_t seed) {
   Rng rng(seed);
   const double size = rng.uniform(1, 8), jitter = rng.uniform(0, 3);
@@ -125,7 +126,7 @@ TriangleSoup with_floor(const Vec3& a, const Vec3& b, const Vec3& c) {
   return {{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, 9, 0), a, b, c}, {{0, 1, 2}, {3, 4, 5}}};
 }
 
-// A tetrahedron standing on its tip, over that triangle.
+// A tetrahedron standing on its tip above that triangle.
 TriangleSoup tetrahedron_over_floor(double tip) {
   return {{Vec3(-9, -9, 0), Vec3(9, -9, 0), Vec3(0, 9, 0), Vec3(0, 0, tip), Vec3(1, 0, 5), Vec3(-1, 1, 5),
            Vec3(-1, -1, 5)},
@@ -217,7 +218,7 @@ TEST(SelfIntersections, AgreeWithIntegersOnEveryPair) {
   for (const int pairs : by_shared) EXPECT_GT(pairs, 100);
 }
 
-// Shears with large integer factors change no incidence, but bring every determinant near to cancellation.
+// Shears with large integer factors change no incidence, but cause cancellation in every determinant.
 TEST(SelfIntersections, UnchangedByShears) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
@@ -241,7 +242,7 @@ TEST(SelfIntersections, DoNotDependOnTheNumbering) {
   }
 }
 
-// One vertex of the tube is pulled out through the other side of it.
+// One vertex of the tube is moved out through the other side of the tube.
 TEST(SelfIntersections, DoNotDependOnThePoseNorOnARefit) {
   const Mesh torus = build_mesh(testing::torus_soup(40, 20));
   std::vector<Vec3> points(torus.positions().begin(), torus.positions().end());

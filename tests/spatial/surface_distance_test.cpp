@@ -38,7 +38,7 @@ TEST(SampleSurface, OnePointPerEqualShareOfTheArea) {
     EXPECT_GE(points[i].barycentric.minCoeff(), 0);
     EXPECT_LE(points[i > 0 ? i - 1 : 0].face, points[i].face);
   }
-  // A face holds whole shares but for one at each end.
+  // A face contains whole shares, except for one at each end.
   const double share = total_area(mesh) / count;
   for (FaceId f : mesh.faces()) EXPECT_NEAR(hits[f], area(mesh.triangle(f)) / share, 2);
 }
@@ -81,7 +81,8 @@ TEST(SurfaceDistance, ParallelSheets) {
 }
 
 TEST(SurfaceDistance, ASheetAndItsHalf) {
-  // From the whole to the half: 0 over one half, x - 2 beyond, uniformly; back: 0 everywhere.
+  // From the whole to the half, the distance is 0 over one half and x - 2 beyond. In the other direction it
+  // is 0 everywhere.
   const TriangleTree whole(sheet(4, 0)), half(sheet(2, 0));
   const SurfaceDistance d = surface_distance(whole, half, {.samples = 20000});
   EXPECT_NEAR(d.mean, 0.5 * (0.5 * 1.0), 1e-3);  // average of two means: (0.5 * 1 + 0) / 2
@@ -102,7 +103,7 @@ TEST(SurfaceDistance, ConcentricTori) {
 }
 
 TEST(SurfaceDistance, VerticesCountForHausdorff) {
-  // One spike that no sample is likely to hit.
+  // A spike that probably no sample hits.
   TriangleSoup soup = testing::torus_soup(60, 40);
   const TriangleTree smooth(build_mesh(soup));
   soup.points[0] += Vec3(5, 0, 0);

@@ -25,7 +25,7 @@ Vec3 random_point(Rng& rng, double size) {
 
 Vec3 random_direction(Rng& rng) { return Vec3(rng.normal(), rng.normal(), rng.normal()).normalized(); }
 
-// One grid cell of a flat plate: coordinates with few digits, so that equal distances are exactly equal.
+// A flat plate on a grid. Coordinates have few digits, so that equal distances are exactly equal.
 Mesh plate(int side) {
   TriangleSoup soup;
   for (int i = 0; i <= side; ++i)
@@ -66,7 +66,7 @@ Vec3 random_query(const Mesh& mesh, Rng& rng) {
   return centre + random_point(rng, reach * box.diagonal());
 }
 
-// The smallest distance over all faces that `accept`, the smallest index among equals.
+// The closest of all faces that `accept` accepts; among equal distances the one with the smallest index.
 template <class Accept>
 ClosestPoint brute_force(const Mesh& mesh, const Vec3& query, const Accept& accept) {
   ClosestPoint best;
@@ -90,7 +90,7 @@ void expect_same(const ClosestPoint& found, const ClosestPoint& expected) {
   EXPECT_EQ(found.on.barycentric, expected.on.barycentric);
 }
 
-// The smallest value of a convex function on [0, end], by thirds.
+// The smallest value of a convex function on [0, end], by ternary search.
 template <class Function>
 double smallest(double end, const Function& function) {
   double low = 0, high = end;
@@ -101,7 +101,8 @@ double smallest(double end, const Function& function) {
   return std::min({function(low), function(high), function(0), function(end)});
 }
 
-// The distance by a search that knows nothing of regions: it is convex in the barycentric coordinates.
+// The distance by a search that does not distinguish faces, edges and corners. It uses that the distance is
+// convex in the barycentric coordinates.
 double distance_by_search(const std::array<Vec3, 3>& t, const Vec3& query) {
   return smallest(1, [&](double v) {
     return smallest(1 - v,
@@ -109,7 +110,8 @@ double distance_by_search(const std::array<Vec3, 3>& t, const Vec3& query) {
   });
 }
 
-// Landmarks are placed with the trees and the locators (lift_to_surface_test.cpp) of all shapes at hand.
+// Memory matters because the trees and the locators (lift_to_surface_test.cpp) of all shapes are in memory
+// while landmarks are placed.
 TEST(TriangleTree, WithoutNormalsTakesLittleMemoryAndAnswersTheSame) {
   const Mesh mesh = build_mesh(testing::torus_soup(160, 60, 30, 10));
   const double before = testing::heap_in_use();
@@ -179,7 +181,7 @@ TEST(TriangleTree, ClosestIsWhatBruteForceFinds) {
 }
 
 TEST(TriangleTree, EqualDistancesGoToTheSmallerFace) {
-  const Mesh mesh = plate(9);  // above a corner six triangles tie, above an edge two
+  const Mesh mesh = plate(9);  // above a corner six triangles have equal distances, above an edge two
   const TriangleTree tree(mesh);
   for (const Vec3& p : mesh.positions())
     for (double height : {0.0, 0.25, 3.0}) {

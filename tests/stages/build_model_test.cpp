@@ -33,7 +33,8 @@ TEST(BuildModel, LandmarksLieOnEveryInputAndNoTriangleIsFlipped) {
     expect_on(shapes[i].mesh, landmarks);
     const Mesh corresponding = build_mesh({landmarks, built.landmarks.mesh.triangles});
     EXPECT_EQ(corresponding.euler_characteristic(), 0);
-    // Landmarks lie on the surface, so the chords cut off about h^2 / (6 r^2) = 2 % of a tube of radius r.
+    // Landmarks lie on the surface, so the triangles cut off about h^2 / (6 r^2) = 2 % of the volume of a
+    // tube of radius r.
     EXPECT_NEAR(signed_volume(corresponding) / signed_volume(shapes[i].mesh), 1, 0.05);
   }
   EXPECT_GT(built.registration.frame.reference.shape_map.map.jumps.size(), 0);

@@ -7,7 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/surface_distance.hpp"
-#include "stages/model_archive.hpp"
+#include "stages/refit_archive.hpp"
 #include "support/memory_store.hpp"
 #include "support/torus_family.hpp"
 
@@ -29,7 +29,7 @@ BuildOptions quick_build() {
   return options;
 }
 
-// A last shape that is the second in another pose.
+// The family with an additional last shape, which is the second shape in another pose.
 std::vector<Shape> family_with_twins() {
   std::vector<Shape> shapes = family();
   RigidTransform pose = RigidTransform::Identity();
@@ -69,7 +69,7 @@ TEST(Refit, AShapeWhoseTwinIsInTheModelIsDescribedAsWellAsItIsRepresented) {
 
 TEST(Refit, TheModelOfTheOthersDoesNotSeeTheShape) {
   BuildOptions options = quick_build();
-  options.correspondence.reference = "s0";  // must not matter when it is left out
+  options.correspondence.reference = "s0";  // the reference may be left out
   const BuiltModel a = build_without(family(), {0}, quick_build(), RunContext(2));
   const BuiltModel b = build_without(family_with_another_first(), {0}, options, RunContext(1));
   ASSERT_EQ(a.landmarks.names.size(), 3u);

@@ -1,5 +1,9 @@
 #include "foramen/store/folder_store.hpp"
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -124,6 +128,35 @@ TEST(FolderStore, ASharedFolderKeepsWhatOthersAreWriting) {
   for (std::thread& writer : writers) writer.join();
   for (int k = 0; k < 20; ++k) EXPECT_EQ(store.load("key " + std::to_string(k)), bytes);
   EXPECT_THAT(store.notes(), ElementsAre());
+}
+
+// Child processes that look for the same results, compute them and keep them, all at once.
+TEST(FolderStore, ProcessesThatComputeTheSameAtOnceAllEndWell) {
+  const TemporaryFolder folder;
+  constexpr int processes = 4, keys = 30;
+  std::vector<pid_t> children;
+  for (int p = 0; p < processes; ++p) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      FolderStore own(folder.path(), program, Use::shared);
+      bool all_right = true;
+      for (int k = 0; k < keys; ++k) {
+        const std::string key = "key " + std::to_string(k), result(10000, static_cast<char>('a' + k % 26));
+        if (const auto found = own.load(key)) all_right = all_right && *found == result;
+        own.keep(key, result);
+        all_right = all_right && own.load(key) == result;
+      }
+      std::_Exit(all_right && own.notes().empty() ? 0 : 1);
+    }
+    children.push_back(child);
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_EQ(status, 0);
+  }
+  EXPECT_EQ(folder.size(), keys) << "nothing half-written is left";
 }
 
 }  // namespace

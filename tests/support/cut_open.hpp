@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The paper's cut of a surface along its loops: what rectangle maps and pairs of loops are checked with.
+/// The paper's cut of a surface along its loops, with which tests check rectangle maps and pairs of loops.
 
 #include <string>
 #include <vector>
@@ -53,7 +53,7 @@ inline int piece_count(const Mesh& mesh, const EdgeMap<bool>& cut) {
   return pieces;
 }
 
-// One copy of every vertex for each sector between cut edges. The first copy keeps the vertex's index, the
+// Every vertex has one copy for each sector between cut edges. The first copy keeps the vertex's index, the
 // others come after all vertices.
 struct Sectors {
   TriangleSoup soup;

@@ -8,8 +8,9 @@
 
 namespace foramen::testing {
 
-/// Two tori side by side along x, mirror images of each other, each with one quad at its outer rim taken out
-/// and the two openings joined by four quads: closed, outward, genus 2. 2 * around * tube vertices.
+/// A closed surface of genus 2, wound outward, with 2 * around * tube vertices. It consists of two tori
+/// beside each other along x, which are mirror images of each other. One quad at the outer rim of each is
+/// removed, and the two openings are joined by four quads.
 inline TriangleSoup genus2_soup(int around, int tube) {
   constexpr double major_mm = 20, minor_mm = 8, gap_mm = 2;
   const TriangleSoup torus = torus_soup(around, tube, major_mm, minor_mm);
@@ -32,7 +33,7 @@ inline TriangleSoup genus2_soup(int around, int tube) {
   return soup;
 }
 
-/// The same with noise, so that no two loops have the same length.
+/// The surface of genus2_soup() with noise, so that no two loops have the same length.
 inline TriangleSoup bumpy_genus2_soup(int around, int tube, std::uint64_t seed) {
   TriangleSoup soup = genus2_soup(around, tube);
   Rng rng(seed);

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The oracle of shortest_loops(): every basepoint, plain Dijkstra, plain Kruskal over all dual edges. It
-/// shares no code with the search but greedy_loops() for the answer itself.
+/// The reference for shortest_loops(): every basepoint, plain Dijkstra, and plain Kruskal over all dual
+/// edges. The only code that it shares with the search is greedy_loops(), which makes the result.
 
 #include <algorithm>
 #include <utility>
@@ -14,13 +14,13 @@ namespace foramen::testing {
 
 namespace detail {
 
-// Faces joined so far.
+// The groups of faces that have been joined (union-find).
 class Groups {
  public:
   explicit Groups(int count) : leader_(count), size_(count, 1) {
     for (FaceId f : leader_.ids()) leader_[f] = f;
   }
-  /// False if they were joined already.
+  /// Joins the groups of two faces. Returns false if the faces were already in one group.
   bool join(FaceId a, FaceId b) {
     a = leader_of(a);
     b = leader_of(b);
@@ -69,7 +69,7 @@ inline double system_length(const Mesh& mesh, VertexId basepoint, const EdgeMap<
 
 }  // namespace detail
 
-/// The shortest loops over all basepoints: slow and obvious.
+/// The shortest loops over all basepoints, by exhaustive search.
 inline LoopSystem shortest_loops_exhaustive(const Mesh& mesh, const EdgeMap<double>& lengths,
                                             const RunContext& ctx) {
   VertexMap<double> total(mesh.vertex_count());

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Surfaces with bridges and tunnels of known place, for tests.
+/// Surfaces with bridges and tunnels at known places, for tests.
 
 #include <cmath>
 #include <functional>
@@ -11,11 +11,10 @@
 
 namespace foramen::testing {
 
-/// A grid torus (see torus_soup) to which bridges and tunnels can be added, each where single quads are taken
-/// out.
+/// A grid torus (see torus_soup()) to which bridges and tunnels can be added. Each joins two removed quads.
 class TorusWithHandles {
  public:
-  /// \param flatness  factor of its height
+  /// \param flatness  factor for the height of the torus
   TorusWithHandles(int around, int tube, double flatness = 1)
       : tube_(tube), around_(around), soup(torus_soup(around, tube)) {
     for (Vec3& p : soup.points) p.z() *= flatness;
@@ -40,7 +39,7 @@ class TorusWithHandles {
     });
   }
 
-  /// Points moved at random by about this much, so that no two loops have the same length.
+  /// Moves the points at random by about this distance, so that no two loops have the same length.
   void shake(double size_mm, std::uint64_t seed) {
     Rng rng(seed);
     for (Vec3& p : soup.points) p += size_mm * Vec3(rng.normal(), rng.normal(), rng.normal());
@@ -53,7 +52,7 @@ class TorusWithHandles {
   int id(int i, int j) const {
     return ((i % around_ + around_) % around_) * tube_ + (j % tube_ + tube_) % tube_;
   }
-  // Corners, counter-clockwise seen from outside. Its two triangles are taken out.
+  // The corners of a quad, counter-clockwise seen from outside.
   std::vector<int> quad(int i, int j) const {
     return {id(i, j), id(i + 1, j), id(i + 1, j + 1), id(i, j + 1)};
   }

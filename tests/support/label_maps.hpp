@@ -15,8 +15,8 @@
 
 namespace foramen::testing {
 
-/// A lattice of that many voxels whose middle is at the origin of LPS space, with the voxels labelled by the
-/// position of their centres.
+/// A lattice of this size whose middle is at the origin of LPS space. A function of the centre of a voxel
+/// gives its label.
 inline LabelMap labelled_lattice(const std::array<int, 3>& size, const Mat3& axes,
                                  const std::function<int(const Vec3&)>& label_at) {
   LabelMap map;
@@ -30,8 +30,8 @@ inline LabelMap labelled_lattice(const std::array<int, 3>& size, const Mat3& axe
   return map;
 }
 
-/// About the signed distance [mm] to a torus about z with a bump, which no rotation or reflection maps to
-/// itself.
+/// An approximate signed distance [mm] to a torus about z with a bump. No rotation or reflection maps this
+/// torus to itself.
 inline double bumpy_torus(const Vec3& p, double major_mm = 16, double minor_mm = 6) {
   const double ring = std::hypot(p.x(), p.y()) - major_mm;
   const double torus = std::hypot(ring, p.z()) - minor_mm;
@@ -60,7 +60,7 @@ std::string voxel_bytes(const LabelMap& map, bool big_endian = false) {
   return bytes;
 }
 
-/// gzip, or zlib as MetaImage has it.
+/// The bytes compressed by gzip, or by zlib as in MetaImage.
 inline std::string packed(const std::string& bytes, bool gzip = true) {
   z_stream z{};
   deflateInit2(&z, Z_BEST_SPEED, Z_DEFLATED, gzip ? 15 + 16 : 15, 8, Z_DEFAULT_STRATEGY);
@@ -75,7 +75,7 @@ inline std::string packed(const std::string& bytes, bool gzip = true) {
   return out;
 }
 
-/// NIfTI-1 with the map's geometry as its sform (RAS). T must be of that NIfTI type.
+/// The map as NIfTI-1, with its geometry as sform (RAS). T must be the C++ type of the NIfTI type.
 template <class T = std::uint16_t>
 std::string nifti_bytes(const LabelMap& map, int type = 512, bool big_endian = false) {
   std::string h(352, '\0');

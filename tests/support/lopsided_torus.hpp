@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A torus that no motion but the identity maps onto itself, so that alignment has one answer.
+/// A torus that only the identity maps onto itself, so that alignment has a unique result.
 
 #include <cmath>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace foramen::testing {
 
-/// \param strength  of one bump: shapes of different strength are different shapes of one family
+/// \param strength  of one bump; shapes with different strengths are members of one family
 inline TriangleSoup lopsided(TriangleSoup soup, double strength) {
   for (Vec3& p : soup.points) {
     const double u = std::atan2(p.y(), p.x());
@@ -25,8 +25,8 @@ inline TriangleSoup lopsided_torus_soup(int around, int tube, double strength = 
   return lopsided(torus_soup(around, tube), strength);
 }
 
-/// The same, its tube, 16 mm high, pressed flat in one place: a wall of thickness 2 * half_wall_mm and about
-/// twice `width` long, in radians of the ring.
+/// The same torus with a wall: its tube, which is 16 mm high, is flattened in one place to the thickness 2 *
+/// half_wall_mm, over about twice `width` radians of the ring.
 inline TriangleSoup walled_torus_soup(int around, int tube, double strength, double half_wall_mm,
                                       double width) {
   TriangleSoup soup = torus_soup(around, tube);
@@ -40,7 +40,7 @@ inline TriangleSoup walled_torus_soup(int around, int tube, double strength, dou
   return lopsided(std::move(soup), strength);
 }
 
-/// The same with knobs all over, so that a place on it can be told from its neighbours.
+/// The same torus with bumps all over, which distinguish each place from its neighbours.
 inline TriangleSoup knobbly_torus_soup(int around, int tube) {
   TriangleSoup soup = torus_soup(around, tube);
   for (Vec3& p : soup.points) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A store of finished stages in memory, which can stop the run it serves.
+/// A store of finished stages in memory, which can stop the run that uses it.
 
 #include <map>
 #include <mutex>
@@ -14,7 +14,7 @@ namespace foramen::testing {
 
 class MemoryStore : public StageStore {
  public:
-  /// A number for every string of bytes that was asked for, in order.
+  /// The digest is the number of this string of bytes in the order of first requests.
   std::string digest(std::string_view bytes) const override {
     const std::lock_guard lock(mutex_);
     return std::to_string(digests_.emplace(bytes, digests_.size()).first->second);
@@ -31,9 +31,9 @@ class MemoryStore : public StageStore {
     if (!entries_.emplace(key, bytes).second) ++kept_twice;
     if (stop_ && std::ssize(entries_) >= stop_at_) stop_->request_stop();
   }
-  /// The run is asked to stop once there are so many entries.
+  /// Requests the run to stop when the store has this number of entries.
   void stop(const RunContext& run, int at) {
-    stop_ = run.with_store(nullptr);  // which is this one: they would keep each other alive
+    stop_ = run.with_store(nullptr);  // otherwise run and store would keep each other alive
     stop_at_ = at;
   }
   int size() const { return static_cast<int>(entries_.size()); }

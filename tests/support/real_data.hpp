@@ -1,10 +1,10 @@
 #pragma once
 /// \file
-/// Where tests find the real vertebrae. They stand beside the project, not in it.
+/// The folder of the real vertebrae, which lies beside the project.
 
 #include <filesystem>
 
-/// Skips the test, visibly, where the real shapes are absent.
+/// Skips the test with a message if the real shapes are missing.
 #define FORAMEN_NEEDS_REAL_DATA()                                 \
   if (!std::filesystem::is_directory(FORAMEN_DATA_DIR "/lumbar")) \
   GTEST_SKIP() << "needs the real vertebrae, which are not in " << FORAMEN_DATA_DIR

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Reads the real vertebrae where the io module is not linked: binary little-endian PLY, exactly as those
-/// files are.
+/// Reads the real vertebrae in tests that do not link the io module. It reads only binary little-endian PLY
+/// in the form of these files.
 
 #include <array>
 #include <cstdint>

@@ -14,7 +14,7 @@
 
 namespace foramen::testing {
 
-/// Empty at first, removed at the end.
+/// A folder that is empty at first. The destructor removes it.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -32,12 +32,12 @@ class TemporaryFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path file(const std::string& name) const { return path_ / name; }
-  /// The path of a new file with these bytes.
+  /// Writes a new file with these bytes and returns its path.
   std::filesystem::path file(const std::string& name, std::string_view bytes) const {
     std::ofstream(path_ / name, std::ios::binary) << bytes;
     return path_ / name;
   }
-  /// Number of entries, hidden ones too.
+  /// The number of entries, including hidden ones.
   std::ptrdiff_t size() const {
     return std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
   }

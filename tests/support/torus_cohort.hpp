@@ -17,11 +17,11 @@ struct TorusCohortOptions {
   int input_around = 41, input_tube = 17;       ///< quads of the input surfaces
   int landmark_around = 20, landmark_tube = 8;  ///< quads of the corresponding meshes
   int shapes_per_subject = 2;
-  double amplitude_mm = 2.0;  ///< of one of the waves that displace a coordinate
+  double amplitude_mm = 2.0;  ///< amplitude of each wave that displaces a coordinate
   std::uint64_t seed = 1;
 };
 
-/// A smooth displacement of space: a few random plane waves a coordinate.
+/// A smooth displacement of space, with a few random plane waves per coordinate.
 class SmoothDisplacement {
  public:
   SmoothDisplacement(double amplitude, double wavelength, Rng rng) {
@@ -54,7 +54,8 @@ inline RigidTransform random_pose(Rng& rng) {
   return pose;
 }
 
-/// Landmarks and inputs are deformed alike; the inputs have a finer triangulation of their own.
+/// A cohort whose landmarks and inputs are deformed in the same way. The inputs have their own, finer
+/// triangulation.
 inline CorrespondingCohort torus_cohort(const TorusCohortOptions& options = {}) {
   constexpr double major_mm = 30, minor_mm = 10, wavelength_mm = 90;
   const TriangleSoup fine = torus_soup(options.input_around, options.input_tube, major_mm, minor_mm);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A small cohort that a model can be built of in seconds.
+/// A small cohort whose model can be built in seconds.
 
 #include <string>
 #include <vector>

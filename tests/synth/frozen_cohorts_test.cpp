@@ -1,4 +1,4 @@
-// Published figures name cohorts by their seed alone, so these cohorts must stay what they are.
+// Published figures identify cohorts by their seed alone, so these cohorts must not change.
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 namespace foramen {
 namespace {
 
-// Coordinates count to this, so that the last bits of sin, cos and exp, which differ between machines, do
-// not.
+// Coordinates are rounded to this resolution, because the last bits of sin, cos and exp differ between
+// machines.
 constexpr double resolution_mm = 1e-3;
 
 /// FNV-1a over 64-bit numbers, lowest byte first.
@@ -39,7 +39,8 @@ class Checksum {
   std::uint64_t state_ = 0xcbf29ce484222325;
 };
 
-// A shape does not depend on how many there are (tested beside this), so the first few stand for all.
+// A shape does not depend on the number of shapes (another test checks this), so checking the first few is
+// enough.
 constexpr int checked = 4;
 
 struct FrozenCohort {

@@ -15,7 +15,7 @@ std::vector<VelocityField> some_fields(int count, std::uint64_t seed = 1) {
   return random_velocity_fields(count, {.correlation_mm = correlation_mm}, rng);
 }
 
-// Mean of v_k(x) v_l(x + r) over many fields.
+// The mean of v_k(x) v_l(x + r) over many fields.
 Mat3 covariance(const Vec3& x, const Vec3& r, int groups) {
   Mat3 sum = Mat3::Zero();
   int count = 0;

@@ -83,8 +83,8 @@ TEST(SynthCohort, TruthMeshesShareTheirTriangles) {
   }
 }
 
-// Surface and truth are triangulations of one curved surface: their distance is that of chords, far below the
-// edge length.
+// Surface and truth are triangulations of the same curved surface. Their distance is that between chords and
+// surface, which is much smaller than the edges.
 TEST(SynthCohort, TheSurfaceLiesOnTheCarriedTemplate) {
   for (const SynthShape& s : default_shapes()) {
     const Mesh surface = build_mesh(s.surface), truth = build_mesh(s.truth);
@@ -178,14 +178,15 @@ TEST(SynthCohort, NoTraceOfTheTemplateIsLeft) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const auto& points = shapes[i].surface.points;
     for (int k = 0; k < 3; ++k) EXPECT_LT(std::abs(order_correlation(points, k)), 0.05);
-    double step = 0;  // between vertices of neighbouring numbers: as far as any two
+    double step = 0;  // from each vertex to the next: as far as between any two vertices
     for (std::size_t v = 1; v < points.size(); ++v) step += (points[v] - points[v - 1]).norm();
     EXPECT_GT(step / static_cast<double>(points.size()), 25);
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(shapes[i].surface.triangles, shapes[j].surface.triangles);
   }
 }
 
-// Shapes brought together by the truth share hardly a vertex: the triangulations are independent.
+// After the true correspondence maps one shape to another, their vertices do not coincide, because the
+// triangulations are independent.
 TEST(SynthCohort, TriangulationsAreIndependent) {
   SynthOptions o = small(2);
   o.amplitude_mm = 0;
@@ -199,7 +200,7 @@ TEST(SynthCohort, TriangulationsAreIndependent) {
     for (const Vec3& q : shapes[0].surface.points) nearest = std::min(nearest, (p - q).norm());
     nearest_sum += nearest;
   }
-  // Points that know nothing of the others': about 0.4 edges to the nearest.
+  // For independent points, the distance to the nearest one is about 0.4 edges.
   EXPECT_GT(nearest_sum / static_cast<double>(moved.size()), 0.3 * edge);
 }
 
@@ -255,8 +256,8 @@ TEST(SynthCohort, SeedsDiffer) {
   EXPECT_NE(a[0].truth.points, b[0].truth.points);
 }
 
-// Displacements of the truth from the undeformed template, as columns. Rigid motions are fitted away to first
-// order too.
+// The displacements of the truth from the undeformed template, as columns. Rigid motions are removed, also to
+// first order.
 Eigen::MatrixXd displacements(const SynthOptions& options) {
   const auto& base = still_truth().points;
   const auto shapes = synth_cohort(options, RunContext());

@@ -101,7 +101,7 @@ TEST_F(CutTorus, AlongAThetaGraph) {
   both.insert(both.end(), e.begin(), e.end());
   expect_one_disk(mesh, with({m, both}));
   EdgeLoop detour =
-      e;  // leaves the rim for the row beside it and comes back: shares with m one edge, with e most
+      e;  // leaves the rim for the next row and returns: shares one edge with m and most edges with e
   const VertexId rim = mesh.from(e[0]), up = mesh.to(m[0]);
   detour = {m[0]};
   for (int i = 0; i < around; ++i)
@@ -113,7 +113,7 @@ TEST_F(CutTorus, AlongAThetaGraph) {
 }
 
 TEST_F(CutTorus, AlongLoopsWithASpur) {
-  const VertexId far(3 * tube + 1);  // the basepoint, off both loops: they set out and come back by one tail
+  const VertexId far(3 * tube + 1);  // a basepoint off both loops, which therefore share a path to it
   const auto paths = shortest_paths(mesh, far, edge_lengths(mesh));
   const auto tail = path_to(mesh, paths, mesh.from(m[0]));
   ASSERT_GT(tail.size(), 1u);

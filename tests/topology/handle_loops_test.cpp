@@ -71,14 +71,13 @@ TEST(LoopKind, ALoopWithoutEdgesIsRefused) {
   EXPECT_THROW(loop_kind(build_mesh(torus_soup(6, 5)), {}), InvalidInput);
 }
 
-// All shortest ways in the double cover, by relaxation of every triple (Floyd and Warshall): slow and
-// obvious.
+// All shortest paths in the double cover, by the algorithm of Floyd and Warshall.
 double brute_force_crossing(const Mesh& mesh, const EdgeLoop& loop, const EdgeMap<double>& lengths) {
   EdgeMap<int> crossings(mesh.edge_count(), 0);
   for (std::size_t i = 0; i < loop.size(); ++i) {  // edges left of the loop, between its edge i and the next
     const HalfedgeId next = loop[(i + 1) % loop.size()];
     HalfedgeId h = mesh.twin(loop[i]);
-    // Clockwise from the way back, that is to the left of the loop.
+    // Clockwise from the edge to the previous vertex, that is, to the left of the loop.
     for (h = Mesh::next(mesh.twin(h)); h != next; h = Mesh::next(mesh.twin(h))) ++crossings[mesh.edge(h)];
   }
   const std::size_t n = mesh.vertex_count();

@@ -83,13 +83,13 @@ TEST(InspectMesh, RenumberingChangesNothing) {
   }
 }
 
-// Break one thing: one count changes as it must, and one obstacle is named.
+// A surface with one defect, the count that must change, and the obstacle that must be named.
 struct Broken {
   std::string name;
   TriangleSoup soup;
   int MeshReport::*count;
   int expected;
-  std::string finding, remedy;
+  std::string finding, advice;
 };
 
 void PrintTo(const Broken& b, std::ostream* out) { *out << b.name; }
@@ -97,8 +97,8 @@ void PrintTo(const Broken& b, std::ostream* out) { *out << b.name; }
 std::vector<Broken> broken_surfaces() {
   std::vector<Broken> all;
   const auto add = [&](const std::string& name, TriangleSoup soup, int MeshReport::*count, int expected,
-                       const std::string& finding, const std::string& remedy) {
-    all.push_back({name, std::move(soup), count, expected, finding, remedy});
+                       const std::string& finding, const std::string& advice) {
+    all.push_back({name, std::move(soup), count, expected, finding, advice});
   };
   const TriangleSoup torus = torus_soup(10, 8);
   TriangleSoup s = torus;
@@ -115,8 +115,7 @@ std::vector<Broken> broken_surfaces() {
       "inner walls");
   s = torus;
   s.triangles.push_back(s.triangles[7]);
-  add("duplicate", s, &MeshReport::duplicate_triangles, 1, "1 triangle is there twice",
-      "run `foramen repair`");
+  add("duplicate", s, &MeshReport::duplicate_triangles, 1, "1 triangle is there twice", "repair the surface");
   s = joined(torus, torus, Vec3(100, 0, 0));
   add("two_pieces", s, &MeshReport::components, 2, "it consists of 2 separate pieces",
       "keeps the largest piece");
@@ -138,8 +137,7 @@ std::vector<Broken> broken_surfaces() {
   add("repeated_corner", s, &MeshReport::degenerate_triangles, 1, "one vertex twice", "invalid faces");
   s = torus;
   s.points.emplace_back(500, 0, 0);
-  add("unused", s, &MeshReport::unused_vertices, 1, "1 vertex belongs to no triangle",
-      "run `foramen repair`");
+  add("unused", s, &MeshReport::unused_vertices, 1, "1 vertex belongs to no triangle", "repair the surface");
   add("sphere", tetrahedron(), &MeshReport::euler_number, 2, "(genus 0)", "canal");
   add("two_handles", genus2_soup(9, 7), &MeshReport::euler_number, -2, "genus 2: 2 holes",
       "foramina transversaria");
@@ -158,7 +156,10 @@ TEST_P(BrokenSurface, IsCountedAndExplained) {
   const auto obstacle = obstacle_to_model(report);
   ASSERT_TRUE(obstacle.has_value());
   EXPECT_THAT(obstacle->finding, HasSubstr(b.finding));
-  EXPECT_THAT(obstacle->remedy, HasSubstr(b.remedy));
+  EXPECT_THAT(obstacle->advice, HasSubstr(b.advice));
+  const bool can_be_repaired = obstacle->advice.find("repair the surface") != std::string::npos;
+  EXPECT_EQ(obstacle->remedies,
+            can_be_repaired ? std::vector<Remedy>{{RemedyKind::repair}} : std::vector<Remedy>());
   EXPECT_EQ(report.genus.has_value(),
             b.name == "sphere" || b.name == "two_handles" || b.name == "nan" || b.name == "unused");
 }
@@ -186,7 +187,7 @@ TEST(InspectMesh, AStrayVertexDoesNotStretchTheBox) {
   EXPECT_EQ(r.degenerate_triangles, 0);
 }
 
-// No obstacle means exactly: the mesh can be built, and it is one closed surface of genus 1.
+// There is no obstacle if and only if the mesh can be built and is one closed surface of genus 1.
 TEST(InspectMesh, AgreesWithBuildMeshOnAnySoup) {
   const double values[] = {nan, std::numeric_limits<double>::infinity(), 1e308, -1e308, 0, 1e-308};
   Rng rng(17);

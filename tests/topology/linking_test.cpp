@@ -71,7 +71,7 @@ TEST(LinkingNumber, OfHopfLinks) {
 }
 
 TEST(LinkingNumber, CountsTurns) {
-  // The trefoil goes twice about the axis and three times about the core of its torus.
+  // The trefoil winds twice round the axis and three times round the core of its torus.
   const auto knot = polygon(200, trefoil);
   const auto core = polygon(50, [](double t) { return Vec3(20 * flat_circle(t)); });
   const auto axis = polygon(50, [](double t) { return Vec3(60 * upright_circle(t)); });
@@ -98,7 +98,8 @@ TEST(LinkingNumber, IgnoresRigidMotionAndScaleAndFlipsInAMirror) {
 TEST(LinkingNumber, IsExactWhenThePolygonsNearlyTouch) {
   const auto a = polygon(40, flat_circle);
   for (double gap : {1e-2, 1e-5, 1e-8}) {
-    // Beside the corner a[0] = (1, 0, 0): once through the circle just inside, once past it just outside.
+    // Two curves near the corner a[0] = (1, 0, 0): one passes through the circle just inside the corner, one
+    // just outside.
     const std::vector<Vec3> inside{{1 - gap, 0, -1}, {1 - gap, 0, 1}, {3, 0, 1}, {3, 0, -1}};
     const std::vector<Vec3> outside{{1 + gap, 0, -1}, {1 + gap, 0, 1}, {3, 0, 1}, {3, 0, -1}};
     EXPECT_EQ(linking_number(a, inside), 1);
@@ -130,8 +131,8 @@ TEST(SeifertMatrix, OfATorusOfRevolution) {
   for (const auto& [around, tube] : {std::pair{14, 8}, {3, 4}, {60, 20}}) {
     const Mesh mesh = build_mesh(torus_soup(around, tube));
     const EdgeLoop m = tube_loop(mesh, tube), e = rim_loop(mesh, around, tube);
-    // Pushed outward, m embraces the rim and passes downward through its disk; the rim itself moves to the
-    // axis, clear of m.
+    // After it is pushed outward, m goes round the rim and passes downward through its disk. The rim itself
+    // moves towards the axis, away from m.
     EXPECT_EQ(seifert_matrix(mesh, m, e), matrix(0, 0, -1, 0));
     EXPECT_EQ(seifert_matrix(mesh, e, m), matrix(0, -1, 0, 0));
   }
@@ -164,8 +165,8 @@ TEST(SeifertMatrix, OfAKnottedTorusHoldsItsFraming) {
   EXPECT_EQ(std::abs(s(0, 1) + s(1, 0)), 1);
 }
 
-// A bilinear form on homology: from any basepoint, with loops that share edges and retrace themselves, it is
-// the same form.
+// The Seifert matrix is a bilinear form on homology, so it must be the same form for all basepoints, also if
+// loops share edges or retrace themselves.
 void expect_one_bilinear_form(const Mesh& mesh, int basepoints) {
   const auto lengths = edge_lengths(mesh);
   const LoopSystem here = greedy_loops(mesh, VertexId(0), lengths);
@@ -190,7 +191,7 @@ TEST(SeifertMatrix, IsABilinearFormOnRealData) {
     SCOPED_TRACE(stem);
     const Mesh mesh = real_mesh(std::string("lumbar/") + stem);
     expect_one_bilinear_form(mesh, 6);
-    // Unknotted: a basis exists in which one pair is linked and no loop links itself.
+    // For an unknotted torus, there is a basis in which one pair is linked and no loop is linked with itself.
     const Matrix s = seifert_of(mesh, greedy_loops(mesh, VertexId(0), edge_lengths(mesh)));
     EXPECT_EQ(s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0), 0);
   }
@@ -231,8 +232,8 @@ TEST(SeifertMatrix, RefusesLoopsThatAreNoBasis) {
   EXPECT_THROW(seifert_matrix(mesh, m, torn), InvalidInput);
 }
 
-// The push leans on the winding: on a surface wound inward the loops go inside, and the check of the
-// intersections notices nothing but the sign.
+// The direction of the push depends on the winding. On a surface that is wound inward, loops are pushed
+// inside, and the intersection number only changes its sign.
 TEST(SeifertMatrix, OfAnInwardSurfaceIsTransposed) {
   const Mesh mesh = build_mesh(torus_soup(14, 8)), inward = reversed(mesh);
   const EdgeLoop m = tube_loop(inward, 8), e = rim_loop(inward, 14, 8);
@@ -255,7 +256,7 @@ TEST(SeifertTest, LeavesOnlyTheIdentityUpToSign) {
   EXPECT_EQ(passed, 2);
 }
 
-// Planted in loops, not in matrices: the surface itself has to give the wrong matrix away.
+// The errors are made in loops and not in matrices, so the test must detect them from the surface itself.
 TEST(SeifertTest, RefusesAPlantedTwistSwapAndSign) {
   const Mesh mesh = build_mesh(bumpy_torus_soup(24, 14, 5));
   const auto lengths = edge_lengths(mesh);
@@ -272,7 +273,7 @@ TEST(SeifertTest, RefusesAPlantedTwistSwapAndSign) {
   for (const Matrix& wrong : {matrix(0, 1, 1, 0), matrix(0, -1, 1, 0), matrix(1, 0, 0, -1),
                               matrix(-1, 0, 0, 1), matrix(2, 0, 0, 1)}) {
     EXPECT_FALSE(seifert_test(a * wrong, s_shape, s_reference));
-    // Not by the determinant alone.
+    // The determinant alone does not detect the error.
     EXPECT_NE(Matrix(wrong.transpose() * s_reference * wrong), s_reference);
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of loops, periods, cuts and linking share.
+// Declarations that the tests of loops, periods, cuts and linking share.
 
 #include <string>
 #include <vector>

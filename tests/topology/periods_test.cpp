@@ -31,19 +31,19 @@ TEST(Cocycle, SeesHomologyOnly) {
   const Cocycle form = cocycle(mesh, greedy_loops(mesh, VertexId(31), edge_lengths(mesh)));
   const Vec2i m = integrate(form, tube_loop(mesh, tube)), e = integrate(form, rim_loop(mesh, around, tube));
   EXPECT_EQ(std::abs(m.x() * e.y() - m.y() * e.x()), 1);
-  for (int shift = 0; shift < around; ++shift) {  // the same class all along the axis
+  for (int shift = 0; shift < around; ++shift) {  // loops at all positions along the axis have the same class
     std::vector<int> vertices;
     for (int j = 0; j < tube; ++j) vertices.push_back(shift * tube + j);
     EXPECT_EQ(integrate(form, walk_through(mesh, vertices)), m);
   }
-  for (FaceId f : mesh.faces()) {  // bounds
+  for (FaceId f : mesh.faces()) {  // the border of a face has no period
     const EdgeLoop round{Mesh::halfedge(f, 0), Mesh::halfedge(f, 1), Mesh::halfedge(f, 2)};
     EXPECT_EQ(integrate(form, round), Vec2i::Zero());
   }
 }
 
-// Two bases of one surface: the change of basis that each form reads from the other's loops are inverse to
-// each other.
+// For two bases of one surface, each form gives a change of basis on the loops of the other. These two are
+// inverse to each other.
 TEST(Cocycle, ChangesOfBasisAreInverse) {
   const Mesh mesh = build_mesh(bumpy_torus_soup(20, 14, 3));
   const auto lengths = edge_lengths(mesh);

@@ -24,7 +24,7 @@ TriangleSoup tetrahedron_soup() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
-// Perimeter of a regular polygon.
+// The perimeter of a regular polygon.
 double perimeter(int sides, double radius) { return 2 * radius * sides * std::sin(std::numbers::pi / sides); }
 
 // Of all closed walks from the basepoint, the shortest in each class of homology, by Dijkstra in the covering
@@ -112,7 +112,7 @@ TEST(GreedyLoops, TreeHoldsShortestPaths) {
   }
 }
 
-// An oracle that knows nothing of trees and cotrees.
+// The reference does not use trees and cotrees.
 TEST(GreedyLoops, AreTheShortestIndependentClosedWalks) {
   for (const TriangleSoup& soup :
        {torus_soup(9, 7), bumpy_torus_soup(12, 10, 1), bumpy_torus_soup(16, 8, 2)}) {
@@ -158,7 +158,7 @@ TEST(GreedyLoops, ZeroWeightsKeepATree) {
   EXPECT_EQ(integrate(cocycle(mesh, system), system.loops[1]), Vec2i::UnitY());
 }
 
-// Equal lengths everywhere: the choice among equals must not lean on the numbering.
+// All lengths are equal, and the choice among equal loops must not depend on the numbering.
 TEST(GreedyLoops, RenumberingChangesNothing) {
   for (const TriangleSoup& soup : {torus_soup(20, 12), bumpy_torus_soup(20, 12, 4), genus2_soup(10, 8)}) {
     const Mesh mesh = build_mesh(soup), other = build_mesh(renumbered(soup, 11));
@@ -180,7 +180,7 @@ TEST(ShortestLoops, OfATorusOfRevolutionAreATubeAndTheInnerRim) {
   const Mesh mesh = build_mesh(torus_soup(48, 24));
   const auto result = shortest_loops(mesh, edge_lengths(mesh), RunContext(2));
   EXPECT_NEAR(result.system.length, perimeter(24, 8) + perimeter(48, 12), 1e-10);
-  // Every vertex of the inner rim is as good: the smallest position is the one at x = -12.
+  // All vertices of the inner rim are equally good. The one with the smallest position is at x = -12.
   EXPECT_NEAR((mesh.position(result.system.basepoint) - Vec3(-12, 0, 0)).norm(), 0, 1e-12);
 }
 

@@ -1,13 +1,14 @@
 #include "workflow/build_choices.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/parameterize/optimiser.hpp"
 
 #include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/option_bytes.hpp"
+#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/register_options.hpp"
+#include "foramen/parameterize/optimiser.hpp"
 #include "workflow/label_choices.hpp"
 
 namespace foramen {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
+#include "support/messages.hpp"
 #include "workflow/read_family.hpp"
 
 namespace foramen {
@@ -21,13 +22,14 @@ BuildOptions baseline() {
 TEST(BuildFrom, FewerThanThreeShapesAreRefusedWithWhatWasLeftOut) {
   Cohort cohort = testing::read(testing::family());
   cohort.shapes.resize(2);
-  cohort.left_out.push_back({"bad", "bad.ply", "", "genus 3"});
+  cohort.left_out.push_back({"bad", "bad.ply", "", Message("genus 3", {{RemedyKind::repair}})});
   try {
     build_from(std::move(cohort), testing::small(), RunContext(1));
     FAIL() << "not refused";
   } catch (const InvalidInput& e) {
     EXPECT_THAT(e.what(), HasSubstr("at least 3"));
     EXPECT_THAT(e.what(), HasSubstr("bad.ply: genus 3"));
+    EXPECT_THAT(message_of(e), testing::offers({{RemedyKind::repair}}));
   }
 }
 

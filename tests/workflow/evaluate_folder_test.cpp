@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "foramen/core/error.hpp"
 #include "modelfiles/corresponding_folder.hpp"
 #include "modelfiles/metrics_file.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_cohort.hpp"
 
@@ -17,9 +17,10 @@ namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// A cohort as files: corresponding meshes in meshes/, the surfaces they were made from in surfaces/.
+// A cohort as files: corresponding meshes in meshes/, and the original surfaces in surfaces/.
 class EvaluateFolder : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -44,14 +45,8 @@ class EvaluateFolder : public ::testing::Test {
   static EvaluatedFolder evaluated(const EvaluateFolderRequest& request) {
     return evaluate_folder(request, RunContext(2));
   }
-  static std::string refused(const EvaluateFolderRequest& request) {
-    try {
-      evaluated(request);
-    } catch (const InvalidInput& e) {
-      return e.what();
-    }
-    ADD_FAILURE() << "not refused";
-    return {};
+  static Message refused(const EvaluateFolderRequest& request) {
+    return testing::refusal([&] { evaluated(request); });
   }
   const CorrespondingCohort& cohort() const { return cohort_; }
 
@@ -123,15 +118,16 @@ TEST_F(EvaluateFolder, TheTruthHasNoErrorAndItsLandmarksAreWritten) {
 TEST_F(EvaluateFolder, NamesWhatIsMissing) {
   EvaluateFolderRequest without_truth = request();
   without_truth.true_landmarks = at("true");
-  EXPECT_THAT(refused(without_truth), HasSubstr("truth"));
+  EXPECT_THAT(refused(without_truth),
+              AllOf(testing::says("true correspondence"), testing::offers({{RemedyKind::give_truth}})));
   EXPECT_FALSE(fs::exists(at("true")));
   EvaluateFolderRequest missing = request();
   missing.shapes = at("surfaces");
   fs::remove(at("surfaces") / (cohort().names[2] + ".ply"));
-  EXPECT_THAT(refused(missing), HasSubstr(cohort().names[2]));
+  EXPECT_THAT(refused(missing), testing::says(cohort().names[2]));
   EvaluateFolderRequest other = request();
   write_ply(at("meshes") / (cohort().names[1] + ".ply"), testing::torus_soup(6, 5));
-  EXPECT_THAT(refused(other), HasSubstr(cohort().names[1]));
+  EXPECT_THAT(refused(other), testing::says(cohort().names[1]));
 }
 
 }  // namespace

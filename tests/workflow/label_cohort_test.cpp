@@ -1,13 +1,13 @@
-// Label maps among the inputs of a build, and extract's files.
+// Label maps as inputs of a build, and the files of extract.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "foramen/core/error.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 #include "support/label_maps.hpp"
 #include "support/meshes.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "workflow/run_build.hpp"
 #include "workflow/run_extract.hpp"
@@ -16,22 +16,11 @@ namespace foramen {
 namespace {
 
 using namespace testing;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
-template <class Work>
-std::string refusal(const Work& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  ADD_FAILURE() << "not refused";
-  return {};
-}
-
-// Label 20 a torus, 21 a ball, 22 a torus cut off by the map's upper border.
+// Label 20 is a torus, 21 a ball, and 22 a torus that the upper border of the map cuts off.
 LabelMap three_labels() {
   const auto label_at = [](const Vec3& p) {
     if (bumpy_torus(p + Vec3(46, 0, 0)) < 0) return 20;
@@ -76,23 +65,24 @@ TEST_F(LabelCohort, LabelsAndMeshesTogetherInOrderOfStem) {
   EXPECT_EQ(cohort.shapes[0].file_name, "spine.nii.gz");
   EXPECT_EQ(cohort.shapes[0].sha256, read_label_map(spine()).sha256);
   EXPECT_EQ(source_of(cohort.shapes[0]), "spine.nii.gz, label 20");
-  EXPECT_THAT(cohort.left_out[1].reason, HasSubstr("genus 0"));
-  EXPECT_THAT(cohort.left_out[2].reason, HasSubstr("border of the label map (superior)"));
+  EXPECT_THAT(cohort.left_out[1].reason, says("genus 0"));
+  EXPECT_THAT(cohort.left_out[2].reason,
+              AllOf(says("border of the label map (superior)"), offers({{RemedyKind::keep_cut}})));
 }
 
 TEST_F(LabelCohort, AFolderOfNeitherIsRefusedWithWhatWasLookedFor) {
   const TemporaryFolder empty;
-  EXPECT_THAT(refusal([&] { find_shape_files({empty.path()}); }), HasSubstr(".nii.gz"));
-  EXPECT_THAT(refusal([&] { find_label_maps({empty.path()}); }), HasSubstr("holds no label map"));
+  EXPECT_THAT(refusal([&] { find_shape_files({empty.path()}); }), says(".nii.gz"));
+  EXPECT_THAT(refusal([&] { find_label_maps({empty.path()}); }), says("holds no label map"));
 }
 
 TEST_F(LabelCohort, EqualStemsAreRefused) {
   write_ply(folder_.file("spine_L1.ply"), torus_soup(24, 12));
   const auto files = find_shape_files({folder_.path()});
   EXPECT_THAT(refusal([&] { read_cohort(files, LengthUnit::millimetre, ctx_); }),
-              HasSubstr("would both be named spine_L1"));
+              says("would both be named spine_L1"));
   folder_.file("spine.nrrd", "");
-  EXPECT_THAT(refusal([&] { find_shape_files({folder_.path()}); }), HasSubstr("same name without extension"));
+  EXPECT_THAT(refusal([&] { find_shape_files({folder_.path()}); }), says("same name without extension"));
 }
 
 TEST_F(LabelCohort, ASingleLabelMayBeMissingInOneMapButNotInAll) {
@@ -107,7 +97,8 @@ TEST_F(LabelCohort, ASingleLabelMayBeMissingInOneMapButNotInAll) {
   const Cohort cohort = read("20,23");
   EXPECT_THAT(stems(cohort.shapes), ElementsAre("second_L4", "spine_L1"));
   EXPECT_THAT(stems(cohort.left_out), ElementsAre("second_L1", "spine_L4"));
-  EXPECT_THAT(refusal([&] { read("20-23,3"); }), HasSubstr("--labels 3"));
+  EXPECT_THAT(refusal([&] { read("20-23,3"); }),
+              AllOf(says("label 3: "), offers({{RemedyKind::choose_labels}})));
 }
 
 TEST_F(LabelCohort, AnUnreadableLabelMapIsLeftOutWhole) {
@@ -123,7 +114,7 @@ TEST_F(LabelCohort, LabelOptionsWithoutALabelMapAreRefused) {
   request.inputs = {folder_.file("mesh.ply")};
   request.output = folder_.path() / "model";
   request.labels = LabelRequest{};
-  EXPECT_THAT(refusal([&] { run_build(request, ctx_); }), HasSubstr("no label map among the inputs"));
+  EXPECT_THAT(refusal([&] { run_build(request, ctx_); }), says("no label map among the inputs"));
   EXPECT_FALSE(std::filesystem::exists(request.output));
 }
 
@@ -141,7 +132,7 @@ TEST_F(LabelCohort, ExtractWritesSurfacesAndTheirRecord) {
   EXPECT_EQ(torus.at("usable"), true);
   EXPECT_EQ(ball.at("usable"), false);
   EXPECT_EQ(ball.at("extraction").at("genus"), 0);
-  EXPECT_THAT(summary.notes, Contains(HasSubstr("spine_L2: not fit for a model: no hole")));
+  EXPECT_THAT(summary.notes, Contains(says("spine_L2: not fit for a model: no hole")));
   EXPECT_EQ(file.at("refused").at(0).at("label"), 22);
   EXPECT_THAT(stems(summary.left_out), ElementsAre("spine_L3"));
   const MeshFile written = read_mesh(out / "spine_L1.ply");
@@ -157,7 +148,7 @@ TEST_F(LabelCohort, ABuildRepairsTheHandlesThatVoxelsLeave) {
   ASSERT_EQ(cohort.shapes.size(), 1u);
   EXPECT_EQ(inspect_mesh(cohort.shapes[0].mesh.soup()).genus, 1);
   ASSERT_TRUE(cohort.shapes[0].repair);
-  EXPECT_THAT(foramen::summary(*cohort.shapes[0].repair), HasSubstr("tunnel")) << "in words";
+  EXPECT_THAT(foramen::summary(*cohort.shapes[0].repair), ::testing::HasSubstr("tunnel")) << "in words";
 }
 
 TEST_F(LabelCohort, ExtractRepairsWhatIsUnfitIfAsked) {
@@ -188,8 +179,10 @@ TEST_F(LabelCohort, ExtractRefusesAMissingSingleLabelBeforeItWrites) {
                   ctx_);
     });
   };
-  EXPECT_THAT(extract("20-22,3"), HasSubstr("--labels 3: the label map has no such label; it holds 20-22"));
-  EXPECT_THAT(extract("22"), HasSubstr("no label could be extracted\n  left out spine.nii.gz, label 22: "));
+  EXPECT_THAT(extract("20-22,3"), AllOf(says("label 3: the label map has no such label; it holds 20-22"),
+                                        offers({{RemedyKind::choose_labels}})));
+  EXPECT_THAT(extract("22"), AllOf(says("no label could be extracted\n  left out spine.nii.gz, label 22: "),
+                                   offers({{RemedyKind::keep_cut}})));
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 TriangleSoup sized_torus(double size) { return testing::torus_soup(24, 12, 20 * size, 8 * size); }
 
-// A model without variation: its mean alone matters here.
+// A model without variation, because only its mean matters here.
 ShapeModel torus_model() {
   const TriangleSoup mean = sized_torus(1);
   return {flattened(mean.points), Eigen::MatrixXd(3 * mean.points.size(), 0), Eigen::VectorXd(0),

@@ -45,6 +45,22 @@ TEST_P(ModelFolder, TheModelReadBackIsTheModelBuilt) {
   EXPECT_TRUE(loaded.scores.isApprox(training_scores(made.built.aligned), single_precision));
 }
 
+TEST_P(ModelFolder, TheModelAsWrittenIsTheModelReadBack) {
+  const testing::TemporaryFolder folder;
+  BuildRecord made = build();
+  for (InputShape& input : made.inputs) input.space = AnatomicalSpace::ras;
+  write_model_files(folder.path(), made, "foramen build", 1);
+  const LoadedModel read = load_model(folder.path()), written = loaded_as_written(made, "foramen build");
+  EXPECT_EQ(written.model.mean(), read.model.mean());
+  EXPECT_EQ(written.model.basis(), read.model.basis());
+  EXPECT_EQ(written.model.variance(), read.model.variance());
+  EXPECT_EQ(written.model.weights(), read.model.weights());
+  EXPECT_EQ(written.model.triangles(), read.model.triangles());
+  EXPECT_EQ(written.names, read.names);
+  EXPECT_EQ(written.scores, read.scores);
+  EXPECT_EQ(written.space, read.space);
+}
+
 // Readers that know no weights take the file's own modes: orthonormal, of the same distribution of shapes,
 // with the scores of the same shapes.
 TEST_P(ModelFolder, TheFileIsRightForReadersThatKnowNoWeights) {

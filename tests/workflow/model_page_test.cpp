@@ -30,20 +30,21 @@ class ModelPageOf : public ::testing::Test {
     fs::create_directories(shapes);
     for (const Shape& shape : testing::family()) write_ply(shapes / (shape.name + ".ply"), shape.mesh.soup());
     std::ofstream(shapes / "broken.ply") << "no mesh";
-    build(shapes, model(), 300);
-    build(shapes, baseline(), 200);
+    build(shapes, model(), 300, LandmarkWeights::equal);
+    build(shapes, baseline(), 200, LandmarkWeights::area);
   }
   static void TearDownTestSuite() { delete folder_; }
   static fs::path model() { return folder_->file("model"); }
   static fs::path baseline() { return folder_->file("closest"); }
 
  private:
-  static void build(const fs::path& shapes, const fs::path& output, int landmarks) {
+  static void build(const fs::path& shapes, const fs::path& output, int landmarks, LandmarkWeights weights) {
     BuildRequest request;
     request.inputs = {shapes};
     request.output = output;
     request.build.correspondence.method = Method::icp;  // the cheaper one
     request.build.landmarks.count = landmarks;
+    request.build.model.weights = weights;
     request.evaluation = {.draws = 5, .samples = 500, .specificity_samples = 100};
     request.subject_pattern = "s.";
     request.canonical_command = "foramen build <shapes>";
@@ -71,6 +72,8 @@ TEST_F(ModelPageOf, ABuildWritesTheBestPageItCan) {
   const ModelPage page = model_page(model());
   EXPECT_EQ(page.kind, has_viewer() ? PageKind::interactive : PageKind::plain);
   EXPECT_EQ(testing::bytes_of(model() / "report.html"), page.html);
+  EXPECT_EQ(testing::bytes_of(baseline() / "report.html"), model_page(baseline()).html)
+      << "with landmark weights";
   if (has_viewer()) return;
   EXPECT_THROW(model_page(model(), {.kind = PageKind::interactive}), InvalidInput);
 }
@@ -125,6 +128,12 @@ TEST_F(ModelPageOf, FilesOfTwoModelsAreRefused) {
   const testing::TemporaryFolder mixed;
   fs::copy(model(), mixed.path(), fs::copy_options::recursive);
   fs::copy_file(baseline() / "atlas.h5", mixed.file("atlas.h5"), fs::copy_options::overwrite_existing);
+  EXPECT_THROW(model_page(mixed.path()), IoError);
+  fs::copy_file(model() / "atlas.h5", mixed.file("atlas.h5"), fs::copy_options::overwrite_existing);
+  EXPECT_NO_THROW(model_page(mixed.path()));
+  RunRecord run = read_run(model());
+  run.shapes.erase(run.shapes.begin());
+  std::ofstream(mixed.file("run.json")) << run_json(run);
   EXPECT_THROW(model_page(mixed.path()), IoError);
   fs::remove(mixed.file("run.json"));
   EXPECT_THROW(model_page(mixed.path()), IoError);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The family of support/torus_family.hpp as if it had been read from files.
+/// The family of support/torus_family.hpp in the form of shapes that were read from files.
 
 #include "support/torus_family.hpp"
 #include "workflow/build_from.hpp"

@@ -8,6 +8,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "render/render_scene.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_family.hpp"
 #include "workflow/run_build.hpp"
@@ -88,7 +89,7 @@ TEST_F(RenderModel, WithoutADisplayItSaysSo) {
     FAIL() << "pictures without a display";
   } catch (const Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("xvfb-run"));
-    EXPECT_THAT(e.what(), HasSubstr("--only-curves"));
+    EXPECT_THAT(message_of(e), testing::offers({{RemedyKind::only_curves}}));
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Builds of a small family of shapes in a folder, with one store for all of them.
+// Builds of a small family of shapes in a folder. All builds use the same store.
 class RunBuildWithStore : public ::testing::Test {
  protected:
   RunBuildWithStore() {
@@ -26,7 +26,7 @@ class RunBuildWithStore : public ::testing::Test {
   fs::path shapes() const { return folder_.file("shapes"); }
   fs::path model(const std::string& name) const { return folder_.file(name); }
 
-  /// How many stages were taken up.
+  /// Runs the build and returns the number of stages that were taken from the store.
   int build(const std::string& name) const {
     BuildRequest request;
     request.inputs = {shapes()};

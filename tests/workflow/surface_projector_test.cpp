@@ -12,7 +12,7 @@
 namespace foramen {
 namespace {
 
-// A model of one mode, its shapes known in closed form.
+// A model with one mode, whose shapes are known in closed form.
 UsableModel model_of_members() {
   const testing::MappedSurface mean = testing::member_surface(1, 800);
   UsableModel model;

@@ -49,7 +49,8 @@ TEST_F(UsableModelTest, HoldsTheShapesThatTheModelWasMadeOf) {
   EXPECT_EQ(model.lattice, build().built.registration.frame.reference.shape_map.map.lattice);
 }
 
-// Root mean square over the landmarks [mm] of what one score in standard deviations differs by.
+// The root mean square distance of landmarks [mm] that corresponds to the difference of two scores in
+// standard deviations.
 double score_distance(const UsableModel& model, double a, double b) {
   const ShapeModel& modes = model.aligned.model;
   return std::abs(a - b) * std::sqrt(modes.variance()[0] / modes.landmarks());
@@ -60,8 +61,8 @@ RigidTransform some_pose() {
   return pose.rotate(Eigen::AngleAxisd(2.0, Vec3(1, -1, 3).normalized())).pretranslate(Vec3(9, 80, -70));
 }
 
-// A training shape that comes as a new surface, in another pose, gets its own landmarks again, but for how
-// far they slide on a torus without features.
+// A training shape that is projected as a new surface in another pose gets its own landmarks, except that
+// they may slide on a torus without features.
 TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
   const UsableModel model = read_usable_model(folder().path());
   const MeanRegistrar registrar = registrar_of(model, RunContext(1));
@@ -77,7 +78,7 @@ TEST_F(UsableModelTest, ANewSurfaceGetsTheLandmarksOfTheModel) {
   }
 }
 
-// Vertebrae have features: every score comes back.
+// On vertebrae, which have features, every score is recovered.
 TEST(UsableModel, RealDataScoresOfATrainingShapeComeBack) {
   FORAMEN_NEEDS_REAL_DATA();
   Cohort cohort;

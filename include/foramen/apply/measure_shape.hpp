@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Distances and areas defined once on the mean and taken on any shape with the model's landmarks.
+/// Distances and areas that are defined on the mean and measured on any shape with the model's landmarks.
 
 #include <span>
 #include <string>
@@ -11,17 +11,19 @@
 
 namespace foramen {
 
-/// A landmark by its index, or a position beside the mean [mm, model coordinates].
+/// The index of a landmark, or a position near the mean [mm, model coordinates].
 using PlaceOnMean = std::variant<int, Vec3>;
 
+/// A named point of the mean.
 struct NamedPoint {
   std::string name;
   PlaceOnMean place;
 };
+/// The distance between two named points.
 struct NamedDistance {
   std::string name, from, to;  ///< from, to: names of points
 };
-/// Landmarks by their indices, or those of the mean's within a ball.
+/// A region: landmarks given by index, or all landmarks of the mean in a ball.
 struct NamedRegion {
   struct Ball {
     std::string centre;  ///< name of a point
@@ -37,25 +39,25 @@ struct MeasureDefinitions {
   std::vector<NamedRegion> regions;
 };
 
-/// What a shape's measures are, in the order of the definitions.
+/// The measures of a shape, in the order of the definitions.
 struct ShapeMeasures {
   std::vector<Vec3> points;       ///< in the shape's coordinates, mm
-  std::vector<double> distances;  ///< straight, mm
-  std::vector<double> areas;      ///< of regions, mm^2
+  std::vector<double> distances;  ///< straight-line distances, mm
+  std::vector<double> areas;      ///< areas of the regions, mm^2
 };
 
-/// Definitions bound to a mean: a position becomes the closest point of its surface (triangle and barycentric
-/// coordinates), a ball the landmarks that the mean has in it. A region is made of the triangles whose three
-/// landmarks are in it.
+/// Applies definitions to shapes. A position becomes the closest surface point of the mean (triangle and
+/// barycentric coordinates), and a ball becomes the set of landmarks of the mean in it. A region consists of
+/// the triangles whose three landmarks belong to it.
 class Measurer {
  public:
-  /// Throws InvalidInput, naming the measure: a name that is used twice or not defined, a landmark that is
-  /// not there, a region without a triangle, a radius that is not > 0.
+  /// Throws InvalidInput with the name of the measure: a name that is used twice or not defined, a landmark
+  /// that does not exist, a region without triangles, a radius that is not > 0.
   Measurer(const Mesh& mean, const MeasureDefinitions& definitions);
-  /// \pre the mean's triangles. Throws InvalidInput for others. Measures are invariant under rigid motion,
-  /// points move with the shape.
+  /// Measures a shape with the triangles of the mean. Distances and areas are invariant under rigid motion,
+  /// and points move with the shape. Throws InvalidInput if the triangles differ from those of the mean.
   ShapeMeasures operator()(const Mesh& shape) const;
-  /// The same of the landmarks alone. Throws InvalidInput for another number than the mean's.
+  /// The same for the landmarks only. Throws InvalidInput if their number differs from that of the mean.
   ShapeMeasures operator()(std::span<const Vec3> landmarks) const;
 
  private:

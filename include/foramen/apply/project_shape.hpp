@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a model says of a shape that has its landmarks.
+/// Projection of a shape with the model's landmarks onto the model.
 
 #include <span>
 #include <string>
@@ -10,22 +10,25 @@
 
 namespace foramen {
 
+/// The projection of a shape onto a model.
 struct ProjectedShape {
-  SimilarityTransform to_model;  ///< shape's coordinates -> the model's
-  Eigen::VectorXd scores;        ///< of all modes, in standard deviations
-  std::vector<Vec3> fit;         ///< the closest shape that the model has, in the shape's coordinates, mm
-  double landmark_rms = 0;       ///< of fit and landmarks, ShapeModel::landmark_rms, in model coordinates, mm
+  SimilarityTransform to_model;  ///< maps coordinates of the shape to those of the model
+  Eigen::VectorXd scores;        ///< scores on all modes, in standard deviations
+  std::vector<Vec3> fit;         ///< the closest shape of the model, in the coordinates of the shape, mm
+  /// ShapeModel::landmark_rms() between fit and landmarks, in model coordinates, mm.
+  double landmark_rms = 0;
 };
 
-/// The shape aligned to the mean as a build aligns its own (align_to_mean()), its scores on all modes, and
-/// the shape of those scores. Invariant under rigid motion of the landmarks. Throws InvalidInput for another
-/// number of landmarks than the model's.
+/// Aligns the shape to the mean (align_to_mean()), computes its scores on all modes and reconstructs the
+/// shape from them. The scores are invariant under rigid motion of the landmarks. Throws InvalidInput if the
+/// number of landmarks differs from that of the model.
 ProjectedShape project_shape(std::span<const Vec3> landmarks, const AlignedModel& model, ScaleMode scale);
 
-/// The model of the other shapes: Procrustes and PCA anew, with the model's triangles and weights. No
-/// correspondence is computed anew: it has seen the shapes left out. Throws InvalidInput, with the names
-/// there are, for a name that no shape has, or if fewer than 2 shapes remain. \param names  one per shape of
-/// the model
+/// The model without some of its shapes: repeats the Procrustes alignment and the PCA, with the triangles and
+/// weights of the model. The correspondence is not recomputed, so it still depends on the shapes that are
+/// left out. Throws InvalidInput for a name that no shape has (the message lists the names) and if fewer than
+/// 2 shapes remain.
+/// \param names  one per shape of the model
 AlignedModel model_without(const AlignedModel& model, std::span<const std::string> names,
                            std::span<const std::string> left_out, ScaleMode scale);
 

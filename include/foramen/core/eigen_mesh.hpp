@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Meshes from matrices of vertices and faces, and back.
+/// Converts between meshes and Eigen matrices of vertices and faces.
 
 #include <Eigen/Core>
 
@@ -8,15 +8,15 @@
 
 namespace foramen {
 
-/// \param points  one row per vertex, mm  \param triangles  one row per face: indices of its corners,
-/// counter-clockwise seen from outside
-/// Throws what build_mesh() throws.
+/// Builds a mesh from matrices. Throws what build_mesh() throws.
+/// \param points  one row per vertex, mm
+/// \param triangles  one row per face: the indices of its corners, counter-clockwise seen from outside
 Mesh mesh_from_matrices(const Eigen::Ref<const Eigen::MatrixX3d>& points,
                         const Eigen::Ref<const Eigen::MatrixX3i>& triangles);
 
-/// One row per point.
+/// Returns one row per point.
 Eigen::MatrixX3d matrix_of(std::span<const Vec3> points);
-/// One row per triangle.
+/// Returns one row per triangle.
 Eigen::MatrixX3i matrix_of(std::span<const std::array<int, 3>> triangles);
 
 }  // namespace foramen

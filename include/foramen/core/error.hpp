@@ -1,15 +1,28 @@
 #pragma once
 /// \file
-/// What can go wrong, and whose fault it is. Messages say what was found and what to do about it.
+/// The exceptions that foramen throws. The type says whether the file, the data, the method or foramen itself
+/// is at fault; the message says what was found and what to do about it.
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "foramen/core/remedy.hpp"
 
 namespace foramen {
 
 /// Base of all errors that a caller may want to show to a user.
 class Error : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  explicit Error(const std::string& text, std::vector<Remedy> remedies = {})
+      : std::runtime_error(text), remedies_(std::move(remedies)) {}
+  explicit Error(const Message& message) : Error(message.text, message.remedies) {}
+  /// What a front end can name a control for; the text says the same without it.
+  const std::vector<Remedy>& remedies() const { return remedies_; }
+
+ private:
+  std::vector<Remedy> remedies_;
 };
 
 /// A file cannot be opened, read or written, or breaks its own format.
@@ -17,7 +30,7 @@ class IoError : public Error {
   using Error::Error;
 };
 
-/// Data that was read well but cannot be used (indices out of range, wrong units, NaN, too few shapes ...).
+/// The data is well-formed but cannot be used (indices out of range, wrong units, NaN, too few shapes ...).
 class InvalidInput : public Error {
   using Error::Error;
 };
@@ -27,21 +40,24 @@ class TopologyError : public InvalidInput {
   using InvalidInput::InvalidInput;
 };
 
-/// A numerical method ended without a result that may be trusted.
+/// A numerical method stopped without a reliable result.
 class ConvergenceError : public Error {
   using Error::Error;
 };
 
-/// The user asked to stop; nothing is wrong.
+/// The user asked to stop. This is not a failure.
 class Cancelled : public Error {
  public:
   Cancelled() : Error("cancelled") {}
 };
 
-/// A broken promise inside foramen itself: always a defect, never the user's fault.
+/// An internal invariant of foramen does not hold: always a defect of foramen, never the user's fault.
 class InternalError : public std::logic_error {
   using std::logic_error::logic_error;
 };
+
+/// What an error says, with its remedies if it has any.
+Message message_of(const std::exception& error);
 
 namespace detail {
 [[noreturn]] void assertion_failed(const char* condition, const char* file, int line);
@@ -49,6 +65,6 @@ namespace detail {
 
 }  // namespace foramen
 
-/// Checks a promise of our own in every build; throws InternalError.
+/// Checks an internal invariant in debug and release builds alike; throws InternalError if it does not hold.
 #define FORAMEN_ASSERT(condition) \
   ((condition) ? void(0) : ::foramen::detail::assertion_failed(#condition, __FILE__, __LINE__))

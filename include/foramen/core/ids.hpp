@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Typed indices of mesh elements, and arrays indexed by them, so that a face is never taken for a vertex.
+/// Typed indices of mesh elements and arrays indexed by them. The compiler rejects a face id where a vertex
+/// id is needed.
 
 #include <compare>
 #include <cstddef>

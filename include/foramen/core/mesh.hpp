@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Triangle surfaces: the raw soup as files hold it, and the immutable manifold mesh everything else works
-/// on.
+/// Triangle surfaces: the unchecked triangle soup that files hold, and the immutable manifold mesh on which
+/// all algorithms work.
 
 #include <array>
 #include <memory>
@@ -20,13 +20,15 @@ using Vec2i = Eigen::Vector2i;
 using Mat2 = Eigen::Matrix2d;
 using Mat3 = Eigen::Matrix3d;
 
-/// Points and index triples, nothing promised. What readers return and writers take.
+/// Points and index triples without any guarantee of validity. File readers return it and file writers take
+/// it.
 struct TriangleSoup {
   std::vector<Vec3> points;                   ///< mm
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise seen from outside
 };
 
-/// An oriented 2-manifold triangle mesh, with or without boundary, immutable. Copies share everything.
+/// An immutable, oriented 2-manifold triangle mesh with or without boundary. Copies share positions and
+/// connectivity.
 ///
 /// Halfedge 3f+k runs from corner k to corner k+1 (mod 3) of face f, so faces and halfedges need no tables.
 /// Every vertex has at least one face and a one-ring that is one disk or one half-disk.
@@ -66,14 +68,14 @@ class Mesh {
   EdgeId edge(HalfedgeId h) const { return connectivity_->halfedge_edge[h.index]; }
   /// One halfedge of the edge (the one of smaller index).
   HalfedgeId halfedge(EdgeId e) const { return connectivity_->edge_halfedge[e.index]; }
-  /// An outgoing halfedge. At a boundary vertex the one from which rotated() reaches all others.
+  /// An outgoing halfedge of v. At a boundary vertex it is the one from which rotated() reaches all others.
   HalfedgeId outgoing(VertexId v) const { return connectivity_->vertex_halfedge[v.index]; }
-  /// The next outgoing halfedge counter-clockwise about from(h); invalid past the boundary.
+  /// The next outgoing halfedge of from(h) in counter-clockwise order; invalid beyond the boundary.
   HalfedgeId rotated(HalfedgeId h) const { return twin(prev(h)); }
-  /// All outgoing halfedges of v, counter-clockwise. (A boundary vertex has one more neighbour:
-  /// from(prev(last)).)
+  /// All outgoing halfedges of v, counter-clockwise. A boundary vertex has one neighbour more than that:
+  /// from(prev(last)).
   std::vector<HalfedgeId> fan(VertexId v) const;
-  /// The halfedge from a to b, invalid if there is none in that direction.
+  /// The halfedge from a to b; invalid if the mesh has none in that direction.
   HalfedgeId find_halfedge(VertexId a, VertexId b) const;
 
   bool is_boundary(VertexId v) const { return !twin(outgoing(v)).valid(); }
@@ -81,7 +83,7 @@ class Mesh {
   /// V - E + F.
   int euler_characteristic() const { return vertex_count() - edge_count() + face_count(); }
 
-  /// The same connectivity with other positions. \pre one position per vertex.
+  /// Returns a mesh of the same connectivity with other positions. \pre one position per vertex.
   Mesh with_positions(std::vector<Vec3> positions) const;
   TriangleSoup soup() const { return {*positions_, connectivity_->triangles}; }
 
@@ -99,10 +101,12 @@ class Mesh {
   std::shared_ptr<const Connectivity> connectivity_ = std::make_shared<const Connectivity>();
 };
 
-/// Builds the connectivity. Throws InvalidInput (index out of range, a corner used twice, a coordinate that
-/// is not finite) or TopologyError (an edge with more than two triangles or two of the same direction, a
-/// vertex whose triangles do not form one fan, a vertex without triangle); the message names the first
-/// offender.
+/// Builds the connectivity. The message of an error names the first element at fault.
+///
+/// Throws InvalidInput for an index out of range, a triangle that uses a corner twice or a coordinate that is
+/// not finite. Throws TopologyError for an edge with more than two triangles or with two triangles that run
+/// along it in the same direction, for a vertex whose triangles do not form one fan, and for a vertex without
+/// triangles.
 Mesh build_mesh(TriangleSoup soup);
 
 }  // namespace foramen

@@ -1,9 +1,10 @@
 #pragma once
 /// \file
-/// What is said of an option, once. The command line with its help, run.json, the keywords of Python and the
-/// keys of kept results are all made from these descriptions.
+/// Descriptions of options: name, unit, range and meaning, written once. The command line and its help,
+/// run.json, the Python keywords and the keys of stored results are all derived from them.
 ///
-/// A struct of options has, beside it, a function that names its fields in the order in which they are shown:
+/// Beside every struct of options stands a function describe() that visits its fields in the order in which
+/// they are shown:
 ///
 ///     struct SurfaceTargetsOptions {
 ///       double reach_mm = 4;
@@ -14,9 +15,10 @@
 ///     }
 ///
 /// A field is a number, a bool, a string, an enumeration with EnumWords, an optional or a vector of these, a
-/// vector of described structs, or a described struct. A test counts the fields of every described struct, so
-/// that none is forgotten.
+/// described struct, or a vector of described structs. A test counts the fields of every described struct, so
+/// that describe() cannot leave one out.
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,19 +26,18 @@
 #include <utility>
 #include <vector>
 
-#include "foramen/core/byte_archive.hpp"
 #include "foramen/core/error.hpp"
-#include "foramen/core/maybe_const.hpp"
+#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 
-/// An interval of numbers, open or closed at either end. By default every number.
+/// An interval of numbers, open or closed at either end. By default it contains every number.
 struct OptionRange {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool least_excluded = false, most_excluded = false;
 
-  /// The same interval cut off above.
+  /// The same interval with a closed upper end; below() gives an open one.
   constexpr OptionRange up_to(double limit) const { return {least, limit, least_excluded, false}; }
   constexpr OptionRange below(double limit) const { return {least, limit, least_excluded, true}; }
 
@@ -49,22 +50,24 @@ struct OptionRange {
 constexpr OptionRange above(double limit) { return {.least = limit, .least_excluded = true}; }
 constexpr OptionRange at_least(double limit) { return {.least = limit}; }
 
-/// How the options of a struct within a struct are named.
+/// How the names of the options in a nested struct are formed.
 enum class Nesting {
   object,    ///< outer.inner
   prefixed,  ///< outer_inner
   inlined    ///< inner
 };
 
+/// The description of one option.
 struct OptionText {
-  std::string_view name = {};         ///< in snake_case, without the unit
-  std::string_view unit = {};         ///< "mm", "mm^2", "medians" ...; empty: a pure number or no number
-  OptionRange range = {};             ///< of a number, or of every number of a list
-  std::string_view meaning = {};      ///< for people: what it decides; without unit, range and default
+  std::string_view name = {};  ///< in snake_case, without the unit
+  std::string_view unit = {};  ///< "mm", "mm^2", "medians" ...; empty: a pure number or no number
+  OptionRange range = {};      ///< of the number, or of every number of a list
+  /// What the option decides, in one phrase for the user, without unit, range and default.
+  std::string_view meaning = {};
   Nesting nesting = Nesting::object;  ///< of a described struct
 };
 
-/// The words for the values of an enumeration, specialised beside it:
+/// The words that stand for the values of an enumeration; specialised beside the enumeration:
 ///
 ///     template <>
 ///     struct EnumWords<Bending> {
@@ -73,7 +76,7 @@ struct OptionText {
 template <class Enum>
 struct EnumWords;
 
-/// The word of a value; InternalError if it has none.
+/// The word of a value. Throws InternalError if the value has none.
 template <class Enum>
 std::string_view word_of(Enum value) {
   for (const auto& [word, meaning] : EnumWords<Enum>::all)
@@ -81,7 +84,7 @@ std::string_view word_of(Enum value) {
   throw InternalError("a value of an enumeration has no word");
 }
 
-/// The value of a word; nothing if no value has it.
+/// The value of a word; nullopt if no value has this word.
 template <class Enum>
 std::optional<Enum> value_of(std::string_view wanted) {
   for (const auto& [word, value] : EnumWords<Enum>::all)
@@ -95,15 +98,15 @@ struct AnyVisitor {
 };
 }  // namespace detail
 
-/// A struct that has a description.
+/// A struct for which describe() exists.
 template <class T>
 concept DescribedOptions = std::is_class_v<std::remove_const_t<T>> &&
     requires(detail::AnyVisitor& visitor, T& options) {
   describe(visitor, options);
 };
 
-/// Calls use(path, field, text) for every option of a struct and of the structs within it. The path names the
-/// option within the whole, e.g. "group.template_vertices".
+/// Calls use(path, field, text) for every option of a struct and of its nested structs. The path is the full
+/// name of the option, e.g. "group.template_vertices".
 template <DescribedOptions Options, class Use>
 void for_each_option(Options& options, const Use& use, const std::string& prefix = {}) {
   const auto visit = [&](auto& field, const OptionText& text) {
@@ -124,46 +127,13 @@ void for_each_option(Options& options, const Use& use, const std::string& prefix
 std::string name_with_unit(std::string_view name, std::string_view unit);
 
 namespace detail {
-template <class Field>
-void add_option_bytes(ByteWriter& writer, const Field& field);
-
-template <class Options>
-void add_options_bytes(ByteWriter& writer, const Options& options) {
-  for_each_option(options, [&](const std::string& path, const auto& field, const OptionText&) {
-    writer(path);
-    add_option_bytes(writer, field);
-  });
-}
-
-template <class Field>
-void add_option_bytes(ByteWriter& writer, const Field& field) {
-  if constexpr (is_vector<Field>) {
-    writer(std::ssize(field));
-    for (const auto& item : field)
-      if constexpr (DescribedOptions<const typename Field::value_type>)
-        add_options_bytes(writer, item);
-      else
-        writer(item);
-  } else {
-    writer(field);
-  }
-}
-
 /// Throws InvalidInput unless the number is in the range.
 void check_option(std::string_view where, std::string_view name, double value, const OptionText& text);
 }  // namespace detail
 
-/// All options by name and value, for keys: two structs have the same bytes if and only if all their options
-/// are the same, to the last bit.
-template <DescribedOptions Options>
-std::string option_bytes(const Options& options) {
-  ByteWriter writer;
-  detail::add_options_bytes(writer, options);
-  return writer.take();
-}
-
-/// Throws InvalidInput, naming the option, its value and its range, for the first number out of its range.
-/// \param where  the function whose options they are
+/// Throws InvalidInput for the first number out of its range; the message names the option, its value and its
+/// range.
+/// \param where  name of the function to which the options were passed; for the message
 template <DescribedOptions Options>
 void check_options(std::string_view where, const Options& options) {
   for_each_option(options, [&](const std::string& path, const auto& field, const OptionText& text) {

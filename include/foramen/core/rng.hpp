@@ -1,18 +1,19 @@
 #pragma once
 /// \file
-/// Random numbers that are the same on every library and for every number of threads.
+/// Random numbers that do not depend on the standard library or on the number of threads.
 
 #include <cstdint>
 #include <random>
 
 namespace foramen {
 
-/// A seeded stream. The distributions are our own: those of std differ between standard libraries.
+/// A seeded stream of random numbers. The distributions are implemented here, because those of std differ
+/// between standard libraries.
 class Rng {
  public:
   explicit Rng(std::uint64_t seed);
-  /// An independent stream for item `stream`; does not change this one, so the order of forks does not
-  /// matter.
+  /// Returns an independent stream for the item of index `stream`. It depends on the seed and the index only
+  /// and does not advance this stream, so the order of forks does not matter.
   Rng fork(std::uint64_t stream) const;
   std::uint64_t bits() { return engine_(); }
   /// Uniform in [0, 1), 53 bits.

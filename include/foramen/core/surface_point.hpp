@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A place on a surface that knows its triangle.
+/// A point on a surface, given by its triangle and barycentric coordinates.
 
 #include "foramen/core/mesh.hpp"
 
@@ -12,6 +12,7 @@ struct SurfacePoint {
   Vec3 barycentric = Vec3::Zero();
 };
 
+/// The position in space, mm.
 inline Vec3 position(const Mesh& mesh, const SurfacePoint& p) {
   const auto t = mesh.triangle(p.face);
   return p.barycentric[0] * t[0] + p.barycentric[1] * t[1] + p.barycentric[2] * t[2];

@@ -10,13 +10,14 @@ namespace foramen {
 
 enum class LengthUnit { millimetre, centimetre, metre, micrometre };
 
+/// The length of one unit in mm.
 double millimetres_per(LengthUnit unit);
 /// "mm", "cm", "m", "um".
 std::string_view name(LengthUnit unit);
-/// The unit of that name; empty if there is none.
+/// The unit of that name; nullopt if there is none.
 std::optional<LengthUnit> length_unit(std::string_view name);
-/// The unit in which a vertebra of this bounding-box diagonal would be 20 to 250 mm; empty if none does or if
-/// it is mm.
+/// The unit in which a bounding-box diagonal of this number would be plausible for a vertebra, that is 20 to
+/// 250 mm; nullopt if there is none or if that unit is mm.
 std::optional<LengthUnit> likely_unit(double diagonal);
 
 /// Plausible bounding-box diagonal of one vertebra, mm.

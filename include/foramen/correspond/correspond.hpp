@@ -14,6 +14,7 @@
 
 namespace foramen {
 
+/// How correspondence is established.
 enum class Method {
   torus,  ///< correspondence through maps to a common flat torus
   icp,  ///< the baseline (Brett and Taylor 2000): landmarks of the remeshed reference to their closest points
@@ -24,10 +25,12 @@ struct EnumWords<Method> {
                                                                 {"icp", Method::icp}};
 };
 
-/// What draws the maps of Method::torus into correspondence.
+/// The correspondence energy of the maps of Method::torus.
 enum class Objective {
-  surface,     ///< points of a template bent onto the shape; the template becomes the mean: register_group()
-  neighbours,  ///< the paper's soft neighbours on the reference [becker2011 Eq. 4]: register_shape()
+  /// Distance to points of a template that is bent onto the shape; the mean becomes the template:
+  /// register_group().
+  surface,
+  neighbours,  ///< the soft neighbours of the paper on the reference [becker2011 Eq. 4]: register_shape()
 };
 template <>
 struct EnumWords<Objective> {
@@ -38,9 +41,10 @@ struct EnumWords<Objective> {
 struct CorrespondOptions {
   Method method = Method::torus;
   Objective objective = Objective::surface;
-  std::string reference = "auto";     ///< A shape's name, or auto: the first of rank_references() with a map.
-  RegisterGroupOptions group = {};    ///< of all shapes with Objective::surface
-  RegisterOptions registration = {};  ///< of the reference, and of all shapes with Objective::neighbours
+  /// Name of a shape, or "auto": the first shape of rank_references() that can be mapped.
+  std::string reference = "auto";
+  RegisterGroupOptions group = {};    ///< for all shapes with Objective::surface
+  RegisterOptions registration = {};  ///< for the reference, and with Objective::neighbours for all shapes
 };
 template <class Visitor>
 void describe(Visitor& visit, MaybeConst<CorrespondOptions> auto& o) {
@@ -53,14 +57,15 @@ void describe(Visitor& visit, MaybeConst<CorrespondOptions> auto& o) {
   visit(o.registration, {.name = "registration"});
 }
 
-/// Whether shapes are registered as a group, and options.group counts.
+/// Whether the shapes are registered as a group, so that options.group is used.
 bool registered_together(const CorrespondOptions& options);
 
-/// How a shape was brought into correspondence: all that is known of it but the map itself.
+/// How a shape was brought into correspondence: everything known about it except the map itself.
 struct ShapeRegistration {
   std::string name;
   Alignment alignment;  ///< shape -> reference
-  bool mapped = true;   ///< With Method::icp only the reference is; all that follows is then empty.
+  /// With Method::icp only the reference is mapped, and the fields below are empty for the other shapes.
+  bool mapped = true;
   MapCertificate certificate = {};
   int iterations = 0;
   double initial_energy = 0, final_energy = 0;
@@ -68,57 +73,60 @@ struct ShapeRegistration {
   Eigen::Matrix2i homology = Eigen::Matrix2i::Zero();  ///< see transfer_homology()
   Eigen::Matrix2i seifert = Eigen::Matrix2i::Zero();   ///< of the shape's own loops
   Vec2 agreement = Vec2::Zero();                       ///< see map_agreement()
-  double seconds = 0;                                  ///< of this shape alone
+  double seconds = 0;                                  ///< computing time for this shape
 };
 
-/// A shape that failed a check, and why.
+/// A shape that failed a check, and the reason.
 struct FailedShape {
-  std::string name, reason;
+  std::string name;
+  Message reason;
 };
 
-/// A finished correspondence without the maps.
+/// A finished correspondence, except for the maps.
 struct CohortRegistration {
   Method method = Method::torus;
   std::vector<ShapeRegistration> shapes;  ///< in the order in which the shapes were given
   std::vector<FailedShape> failed;        ///< the same
-  /// Shapes that ranked before the reference but have no map of their own.
+  /// Shapes that rank before the reference but could not be mapped.
   std::vector<FailedShape> refused_references;
   int reference = 0;  ///< index into `shapes`
   RegistrationFrame frame;
   std::vector<double> template_motion_mm;   ///< see GroupRegistration
   std::vector<double> unexplained_shares;   ///< the same
   std::vector<double> description_lengths;  ///< the same
-  double reference_seconds = 0;             ///< of the search for the reference and its map
+  double reference_seconds = 0;             ///< computing time for the choice of the reference and its map
 };
 
+/// A finished correspondence with the maps of the shapes.
 struct Correspondence {
   CohortRegistration registration;
-  std::vector<TorusMap> maps;  ///< one per registered shape, of its mesh; empty where a shape is not mapped
+  /// One map per registered shape, of its mesh; empty for a shape that is not mapped.
+  std::vector<TorusMap> maps;
 };
 
-/// Fewer shapes than a model needs; the message lists those that failed.
+/// There are fewer shapes than a model needs; the message lists the shapes that failed.
 class TooFewShapes : public InvalidInput {
   using InvalidInput::InvalidInput;
 };
 
-/// A model needs as many shapes. 3 is the least number of which leaving one out leaves a variation.
+/// Least number of shapes of a model. With 3 shapes, leaving one out still leaves two and thus a variation.
 inline constexpr int fewest_shapes = 3;
 
 /// Brings the shapes into correspondence. A shape that fails a check is left out with the reason, and the
-/// rest go on.
+/// others are continued.
 ///
-/// The reference is mapped first; its loops and lattice are those of all shapes. Then the shapes are
-/// registered with each other (register_group()), each with the reference (register_shape()), or, with
-/// Method::icp, only aligned to it (align()).
+/// The reference is mapped first; all shapes use its loops and its lattice. Then the shapes are registered
+/// with each other (register_group()), or each with the reference (register_shape()), or, with Method::icp,
+/// only aligned to the reference (align()).
 ///
 /// Throws TooFewShapes if fewer than 3 shapes are given or remain, InvalidInput if the named reference is not
 /// among them, ConvergenceError if no shape can be the reference.
 Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions& options,
                           const RunContext& ctx);
 
-/// The shapes from the most ordinary on, by a cheap rule: smallest sum of absolute deviations of log area and
-/// log volume from the cohort's medians. Equals in their order; shapes of more than 100 000 vertices, whose
-/// loops take minutes, last.
+/// Ranks the shapes (indices) from the most average one on: by the sum of the absolute deviations of log area
+/// and log volume from the medians of the cohort. Ties keep the order of the shapes. Shapes of more than
+/// 100 000 vertices come last, because the search for their loops takes minutes.
 std::vector<int> rank_references(std::span<const Shape> shapes);
 
 }  // namespace foramen

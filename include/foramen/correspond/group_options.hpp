@@ -22,12 +22,12 @@ struct EnumWords<DistortionMeasure> {
       {"template", DistortionMeasure::on_template}, {"plane", DistortionMeasure::in_plane}};
 };
 
-/// How the template is brought onto a shape before targets are sought on it.
+/// How the template is deformed onto a shape before it gives targets for the shape's vertices.
 enum class Bending {
   cohort,  ///< deform_template(). From the first round with a mean on, the prior of a shape's displacement is
            ///< learnt from the other shapes: cohort_priors().
-  smooth,  ///< deform_template() with the smooth process as prior, for each shape by itself
-  rigid,   ///< the template is only aligned with the shape
+  smooth,  ///< deform_template() with the smooth process as prior, independently for each shape
+  rigid,   ///< the template is only aligned rigidly with the shape
 };
 template <>
 struct EnumWords<Bending> {
@@ -113,7 +113,9 @@ struct RegisterGroupOptions {
   SurfaceTargetsOptions targets = {};
   int metric_updates = 2;
   int round_limit = 4;
-  double still_mm = 0.15;  ///< With Bending::cohort the rounds end after two at the earliest.
+  /// Converged if the RMS motion of the mean is below this. With Bending::cohort there are at least two
+  /// rounds.
+  double still_mm = 0.15;
   int description_rounds = 0;
   DescriptionLengthOptions description = {};
 };

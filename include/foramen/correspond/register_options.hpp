@@ -10,9 +10,12 @@
 
 namespace foramen {
 
+/// The kind of the first map of a shape.
 enum class InitialMap {
-  torus,      ///< harmonic, over the whole torus at once
-  rectangle,  ///< the paper's: cut open along the loops, borders held on a square
+  torus,  ///< harmonic map (harmonic_torus_map())
+  /// The initial map of the paper: the surface is cut along the loops and its border fixed to a rectangle
+  /// (rectangle_torus_map()).
+  rectangle,
 };
 template <>
 struct EnumWords<InitialMap> {
@@ -20,10 +23,14 @@ struct EnumWords<InitialMap> {
                                                                     {"rectangle", InitialMap::rectangle}};
 };
 
+/// The cost of an edge in the search for loops that follow those of the reference.
 enum class EdgeCost {
-  paper,  ///< [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm];
-          ///< counts hops
-  length_weighted,  ///< (that + 0.5 mm) * edge length [mm^2]: independent of how finely the surface is meshed
+  /// [becker2011 Eq. 3] as printed: mean distance of the two ends to the reference loops [mm]; the cost of a
+  /// path depends on its number of edges.
+  paper,
+  /// (paper's cost + 0.5 mm) * edge length [mm^2]; the cost of a path does not depend on the resolution of
+  /// the mesh.
+  length_weighted,
 };
 template <>
 struct EnumWords<EdgeCost> {
@@ -31,8 +38,9 @@ struct EnumWords<EdgeCost> {
       {"paper", EdgeCost::paper}, {"length_weighted", EdgeCost::length_weighted}};
 };
 
+/// The distance by which the nearest neighbours are searched.
 enum class NeighbourSearch {
-  points,           ///< the paper's: nearest in space, also through a thin wall
+  points,  ///< nearest in space, as in the paper; neighbours may lie on the other side of a thin wall
   oriented_points,  ///< nearest by position and normal (8 mm per unit of normal difference)
 };
 template <>
@@ -41,9 +49,11 @@ struct EnumWords<NeighbourSearch> {
       {"points", NeighbourSearch::points}, {"oriented_points", NeighbourSearch::oriented_points}};
 };
 
+/// The weights w_jk of the neighbours.
 enum class NeighbourWeights {
-  absolute,  ///< [becker2011 Eq. 4]: exp(-distance / mm): vanishes where shapes differ by several millimetres
-  relative,  ///< the same, divided by their sum: every vertex pulls with the same total weight
+  /// [becker2011 Eq. 4]: exp(-distance / mm), which is nearly 0 where shapes differ by several millimetres.
+  absolute,
+  relative,  ///< the same weights divided by their sum, so that every vertex has the same total weight
 };
 template <>
 struct EnumWords<NeighbourWeights> {
@@ -100,8 +110,8 @@ void describe(Visitor& visit, MaybeConst<RegisterOptions> auto& o) {
         {.name = "iteration_limit", .range = at_least(1), .meaning = "most iterations of an optimisation"});
 }
 
-/// The paper's own choices: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with plain
-/// neighbours, lambda = 0.00025.
+/// The choices of the paper: eq. 3 as printed, rectangle, node-wise Polak-Ribiere, eq. 4 with nearest points
+/// in space, lambda = 0.00025.
 RegisterOptions paper_options();
 
 }  // namespace foramen

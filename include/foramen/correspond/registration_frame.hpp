@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the shapes of a cohort were registered to, and what a further shape is registered to.
+/// The data to which the shapes of a cohort were registered and to which a further shape is registered.
 
 #include <vector>
 
@@ -11,45 +11,50 @@
 
 namespace foramen {
 
+/// The final map of a shape to the torus, with its certificate and statistics.
 struct ShapeMap {
-  TorusMap map;  ///< of the input mesh, positions quantised, in the reference's basis and lattice
-  MapCertificate certificate;                   ///< of that map
-  int iterations = 0;                           ///< on the working mesh and on the input mesh together
-  double initial_energy = 0, final_energy = 0;  ///< on the working mesh, then on the input mesh
-  double distortion = 0;                        ///< area-weighted mean of Degener's energy, >= 4
+  TorusMap map;  ///< map of the input mesh, quantised, in the basis and lattice of the reference
+  MapCertificate certificate;  ///< certificate of this map
+  int iterations = 0;          ///< total on the working mesh and the input mesh
+  /// At the start on the working mesh; at the end on the input mesh.
+  double initial_energy = 0, final_energy = 0;
+  double distortion = 0;  ///< area-weighted mean of Degener's energy, >= 4
 };
 
-/// The reference's loops as every other shape sees them.
+/// The loops of the reference, to which the loops of the other shapes are compared.
 struct ReferenceLoops {
   Mesh mesh;                ///< the reference, in its own coordinates
-  LoopSystem loops;         ///< two, oriented so that the torus map they give has positive area
+  LoopSystem loops;         ///< two loops, oriented so that a torus map with their periods has positive area
   Eigen::Matrix2i seifert;  ///< see seifert_matrix()
 };
 
+/// The reference shape: its loops and its map to the torus.
 struct Reference {
-  ReferenceLoops loops;  ///< with the mesh
+  ReferenceLoops loops;  ///< the loops and the mesh
   ShapeMap shape_map;
   const Mesh& mesh() const { return loops.mesh; }
 };
 
-/// A reference, or the mean of a cohort.
+/// The reference or the mean of a cohort, as a template.
 struct TemplateSurface {
   Mesh mesh;     ///< mm
-  TorusMap map;  ///< of this mesh, without flipped triangles
+  TorusMap map;  ///< map of this mesh, without flipped triangles
 };
 
-/// What the last round registered all shapes to.
+/// The template of the last round, to which all shapes are registered.
 struct GroupTemplate {
-  int rounds = 0;           ///< with a mean as template; 0: the reference was the only one, the rest is empty
+  /// Number of rounds with a mean as template; 0: only the reference was a template, and the fields below are
+  /// empty.
+  int rounds = 0;
   TemplateSurface surface;  ///< see MeanTemplate
   std::vector<Vec3> grid;   ///< see MeanTemplate
-  DisplacementPrior prior;  ///< of a newcomer's displacement: see CohortPriors
+  DisplacementPrior prior;  ///< prior of the displacement onto a new shape, see CohortPriors
 };
 
-/// What a further shape is registered to.
+/// The data to which a further shape is registered.
 struct RegistrationFrame {
-  Reference reference;  ///< with the map it ended with
-  GroupTemplate group;  ///< of Objective::surface
+  Reference reference;  ///< the reference with its final map
+  GroupTemplate group;  ///< for Objective::surface
 };
 
 }  // namespace foramen

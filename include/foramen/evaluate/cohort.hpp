@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is evaluated: meshes in correspondence and the surfaces they were made from.
+/// The input of an evaluation: corresponding meshes and the original surfaces.
 
 #include <array>
 #include <string>
@@ -17,43 +17,45 @@ namespace foramen {
 
 struct CorrespondingCohort {
   std::vector<std::string> names;             ///< one per shape
-  std::vector<std::string> subjects;          ///< whose shape it is; empty: not known
+  std::vector<std::string> subjects;          ///< the subject of each shape; empty: not known
   std::vector<std::array<int, 3>> triangles;  ///< of landmarks, the same for all shapes
   std::vector<std::vector<Vec3>>
-      corresponding;         ///< landmarks of each shape, in its input's own coordinates, mm
+      corresponding;         ///< landmarks of each shape, in the coordinates of its input, mm
   std::vector<Mesh> inputs;  ///< the original surfaces, mm
 
   int size() const { return static_cast<int>(corresponding.size()); }
   int landmarks() const { return corresponding.empty() ? 0 : static_cast<int>(corresponding[0].size()); }
 };
 
-/// The shapes of a placement of landmarks. \param subjects  one per shape of it, or empty
+/// The cohort of placed landmarks and their shapes.
+/// \param subjects  one per shape of `landmarks`, or empty
 /// Throws InvalidInput if a shape is missing.
 CorrespondingCohort corresponding_cohort(std::span<const Shape> shapes, const Landmarks& landmarks,
                                          std::vector<std::string> subjects = {});
 
-/// Throws InvalidInput, naming the shape, unless there are at least 3 shapes, all parts have one entry per
-/// shape, all shapes have the same number of landmarks, and the triangles form a manifold mesh of them.
+/// Throws InvalidInput unless there are at least 3 shapes, all vectors have one entry per shape, all shapes
+/// have the same number of landmarks, and the landmarks of each shape form a manifold mesh with the
+/// triangles. The message names the shape.
 void check_cohort(const CorrespondingCohort& cohort);
 
-/// The corresponding mesh of one shape, in its input's coordinates.
+/// The mesh of landmarks of one shape, in the coordinates of its input.
 Mesh corresponding_mesh(const CorrespondingCohort& cohort, int shape);
 
-/// A cohort in model coordinates, with its model.
+/// A cohort in model coordinates and its model.
 struct AlignedCohort {
   ProcrustesResult alignment;
-  std::vector<Mesh> inputs;  ///< the original surfaces, moved by each shape's alignment
+  std::vector<Mesh> inputs;  ///< the original surfaces, transformed by the alignment of each shape
   ShapeModel model;
 };
-/// Procrustes and PCA of all shapes. \pre check_cohort(cohort) passes
+/// Procrustes alignment and PCA of all shapes. \pre check_cohort(cohort) passes
 AlignedCohort align_cohort(const CorrespondingCohort& cohort, ScaleMode scale,
                            LandmarkWeights weights = LandmarkWeights::equal);
 
-/// The surface moved by a similarity.
+/// The surface transformed by a similarity.
 Mesh transformed(const Mesh& mesh, const SimilarityTransform& transform);
 
-/// The numbers of modes for which a figure is given: 1 .. 20, then powers of two, and the last. Empty if last
-/// < 1.
+/// The numbers of modes M for which measures are reported: 1 .. 20, then powers of two, and the last. Empty
+/// if last < 1.
 std::vector<int> mode_counts(int last);
 
 /// A mean with its standard error s / sqrt(n), s with divisor n - 1 (0 for a single value).
@@ -64,20 +66,20 @@ struct Estimate {
 /// \pre at least one value
 Estimate estimate(const std::vector<double>& values);
 
-/// Three distances of a model's shape to a training shape, mm.
+/// Three distances between a shape of the model and a training shape, mm.
 struct ShapeError {
   double hausdorff = 0;     ///< to the original input surface, as SurfaceDistance::hausdorff
   double mean_surface = 0;  ///< to the original input surface, as SurfaceDistance::mean
   double landmark_rms = 0;  ///< ShapeModel::landmark_rms of corresponding landmarks
 };
 
-/// ShapeErrors of many shapes or samples at one number of modes.
+/// The ShapeErrors of many shapes or draws for one number of modes.
 struct ErrorsAtModes {
   int modes = 0;
-  std::vector<ShapeError> items;  ///< one per shape (generalization) or sample (specificity)
+  std::vector<ShapeError> items;  ///< one per shape (generalization) or draw (specificity)
   Estimate hausdorff, mean_surface, landmark_rms;
 };
-/// Fills the estimates from the items.
+/// Computes the estimates from the items.
 ErrorsAtModes errors_at_modes(int modes, std::vector<ShapeError> items);
 
 }  // namespace foramen

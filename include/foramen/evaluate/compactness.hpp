@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Compactness: how much of the shapes' variation the first modes hold.
+/// Compactness: how much of the variance of the shapes the first modes explain.
 
 #include <vector>
 
@@ -8,6 +8,7 @@
 
 namespace foramen {
 
+/// The compactness of the first modes.
 struct CompactnessAtModes {
   int modes = 0;
   double variance_per_landmark = 0;  ///< (1 / total weight) sum of the first M variances, mm^2
@@ -15,9 +16,9 @@ struct CompactnessAtModes {
 };
 
 /// \f$ C(M) = \frac{1}{\sum_i w_i} \sum_{m \le M} \lambda_m \f$ for mode_counts(last_mode) \cite davies2008,
-/// w_i the landmarks' weights: their number if all count alike. Variances have the divisor n - 1. Modes the
-/// model does not have hold no variance. A model without variation has fraction 1. Loss of detail improves
-/// compactness: it says nothing alone.
+/// with the landmark weights w_i (all 1 without weights). The variances have the divisor n - 1. Modes beyond
+/// those of the model have variance 0. A model without variation has fraction 1. Compactness is not
+/// meaningful on its own, because loss of detail improves it.
 std::vector<CompactnessAtModes> compactness(const ShapeModel& model, int last_mode);
 
 }  // namespace foramen

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Whether the shapes that a model describes are surfaces at all.
+/// Whether the shapes that a model describes are valid surfaces.
 
 #include <cstdint>
 #include <vector>
@@ -10,32 +10,34 @@
 
 namespace foramen {
 
-/// No score of a drawn shape is further from 0 than this, in its standard deviations: what a model is usually
-/// trusted with.
+/// Limit of the scores of drawn shapes, in standard deviations of each mode: the range in which models are
+/// commonly used.
 inline constexpr double largest_drawn_sd = 2;
 
 struct DrawnShapesOptions {
   int draws = 1000;        ///< > 0
-  std::uint64_t seed = 1;  ///< of the draws
+  std::uint64_t seed = 1;  ///< seed of the draws
 };
 
+/// Numbers of defects of one drawn shape.
 struct DrawnShape {
-  int self_intersections = 0;  ///< pairs of triangles, as self_intersections()
-  int folded = 0;              ///< triangles, as folded_over()
-  int opposing_mean = 0;       ///< triangles, as opposing_mean()
+  int self_intersections = 0;  ///< pairs of triangles, see self_intersections()
+  int folded = 0;              ///< triangles, see folded_over()
+  int opposing_mean = 0;       ///< triangles, see opposing_mean()
 };
 
+/// The defects of all drawn shapes.
 struct DrawnShapes {
   std::vector<DrawnShape> draws;
-  Estimate self_intersecting;  ///< over draws: the share with a self-intersection, 0 .. 1
-  Estimate folded;             ///< over draws: the share with a triangle folded over, 0 .. 1
-  Estimate opposing_mean;      ///< over draws: the share with a triangle opposing the mean's, 0 .. 1
+  Estimate self_intersecting;  ///< share of draws with a self-intersection, 0 .. 1
+  Estimate folded;             ///< share of draws with a folded triangle, 0 .. 1
+  Estimate opposing_mean;      ///< share of draws with a triangle that opposes that of the mean, 0 .. 1
 };
 
-/// Of \f$ \bar x + \sum_m b_m \phi_m \f$ over all modes, b_m ~ N(0, variance_m) given |b_m| <=
-/// largest_drawn_sd standard deviations (a score beyond is drawn anew), the share that is no proper surface.
-/// The training set has no part in it. Each draw has its own stream: the same bytes for any number of
-/// threads. Throws InvalidInput for no draws.
+/// Draws shapes \f$ \bar x + \sum_m b_m \phi_m \f$ with all modes and counts defects of their surfaces. The
+/// scores are b_m ~ N(0, variance_m) under the condition |b_m| <= largest_drawn_sd standard deviations (a
+/// larger score is drawn again). The training shapes are not used. Each draw has its own random stream, so
+/// the result does not depend on the number of threads. Throws InvalidInput if options.draws is not > 0.
 DrawnShapes drawn_shapes(const ShapeModel& model, const DrawnShapesOptions& options, const RunContext& ctx);
 
 }  // namespace foramen

@@ -41,10 +41,12 @@ void describe(Visitor& visit, MaybeConst<EvaluationOptions> auto& o) {
   visit(o.seed, {.name = "seed", .meaning = "seed of all random numbers"});
 }
 
+/// Computing times, seconds.
 struct EvaluationSeconds {
   double model = 0, representation = 0, generalization = 0, specificity = 0, drawn = 0, truth = 0, refit = 0;
 };
 
+/// The result of evaluate().
 struct Evaluation {
   EvaluationOptions options;
   std::vector<std::string> names;
@@ -53,20 +55,21 @@ struct Evaluation {
   double total_variance = 0;  ///< per landmark, mm^2
   std::vector<CompactnessAtModes> compactness;
   Generalization leave_one_out;
-  std::optional<Generalization>
-      leave_subject_out;  ///< unset: subjects not known, or fewer than 2, or too few shapes remain
-  /// Unset: not asked for (a build alone can make them, evaluate() does not).
+  /// Unset: subjects are not known, or there are fewer than 2, or too few shapes remain without one.
+  std::optional<Generalization> leave_subject_out;
+  /// Unset: not requested. evaluate() does not compute them, because they need new builds, see
+  /// refit_generalization().
   std::optional<RefitGeneralization> refit, refit_by_subject;
   Specificity specificity;
   std::vector<EnsembleAtModes> ensemble;
   DrawnShapes drawn;
   Representation representation;
   std::optional<TruthError> truth;  ///< unset: no truth was given
-  EvaluationSeconds seconds;        ///< how long it took; differs from run to run, nothing else does
+  EvaluationSeconds seconds;        ///< computing times; the only part that differs between runs
 };
 
-/// Every measure, as docs/evaluation.md defines it. Throws InvalidInput for fewer than 3 shapes or a cohort
-/// that does not fit together.
+/// Computes all measures as defined in docs/evaluation.md, except those of a refit. Throws InvalidInput for
+/// fewer than 3 shapes and for a cohort that check_cohort() refuses.
 Evaluation evaluate(const CorrespondingCohort& cohort, const EvaluationOptions& options,
                     const RunContext& ctx, const TrueCorrespondence* truth = nullptr);
 

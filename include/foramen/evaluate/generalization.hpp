@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Generalization: how well a model describes a shape it has not seen.
+/// Generalization: how well a model describes a shape that is not in its training set.
 
 #include <cstdint>
 #include <string>
@@ -12,9 +12,10 @@
 
 namespace foramen {
 
+/// Which shapes are left out of a model together.
 enum class LeaveOut {
   shape,   ///< one shape at a time
-  subject  ///< all shapes of one subject at a time: shapes of one subject are not independent
+  subject  ///< all shapes of one subject at a time, because they are not independent
 };
 template <>
 struct EnumWords<LeaveOut> {
@@ -25,8 +26,8 @@ struct EnumWords<LeaveOut> {
 struct GeneralizationOptions {
   LeaveOut leave_out = LeaveOut::shape;
   ScaleMode scale = ScaleMode::keep;
-  /// Those of the whole cohort, the same with whichever shape left out: they are part of how errors are
-  /// measured.
+  /// Landmark weights. They are computed from the whole cohort and are the same for all models, because they
+  /// also define the error.
   LandmarkWeights weights = LandmarkWeights::equal;
   int samples = 20000;
   std::uint64_t seed = 1;
@@ -44,50 +45,52 @@ void describe(Visitor& visit, MaybeConst<GeneralizationOptions> auto& o) {
   visit(o.seed, {.name = "seed", .meaning = "seed of those samples"});
 }
 
+/// Leave-one-out errors by number of modes.
 struct Generalization {
   LeaveOut leave_out = LeaveOut::shape;
-  int groups = 0;                       ///< models that were built: shapes, or subjects
-  std::vector<ErrorsAtModes> by_modes;  ///< items in the order of the cohort's shapes
+  int groups = 0;                       ///< number of models that were built: one per shape or subject
+  std::vector<ErrorsAtModes> by_modes;  ///< items are in the order of the cohort's shapes
 };
 
 /// \f$ G(M) = \frac{1}{n} \sum_i d(\mathrm{input}_i, \hat x_i(M)) \f$ \cite davies2008. The alignment and the
-/// PCA are made without the shapes left out; shape i is then aligned to that mean, projected on M modes, and
-/// the reconstruction compared with its original input surface, moved by the same alignment. The standard
-/// error is s / sqrt(n) over shapes. M runs to the modes the smallest of these models can have: n - 2 when
-/// one shape is left out. A model that has fewer (dependent shapes) is used with those it has. The
-/// correspondence is not computed anew: it has seen the shape. Throws InvalidInput: fewer than 3 shapes;
-/// subjects unknown, or so few that 2 shapes do not remain.
+/// PCA are computed without the left-out shapes. Shape i is then aligned to the mean of this model and
+/// projected on M modes, and the reconstruction is compared with the original input surface, transformed by
+/// the same alignment. The standard error is s / sqrt(n) over shapes. M goes up to the number of modes that
+/// the smallest of these models can have, which is n - 2 if one shape is left out. A model with fewer modes
+/// (linearly dependent shapes) is used with all its modes. The correspondence is not recomputed, so it
+/// depends on the left-out shape; see RefitGeneralization. Throws InvalidInput for fewer than 3 shapes, and
+/// with LeaveOut::subject if subjects are unknown or fewer than 2 shapes remain without one.
 Generalization generalization(const CorrespondingCohort& cohort, const GeneralizationOptions& options,
                               const RunContext& ctx);
 
-/// Which shapes (indices) leave the model together: each alone, or those of one subject, in order of its
-/// first shape.
-/// \param subjects  one per shape; not looked at for LeaveOut::shape
+/// The groups of shapes (indices) that are left out together: single shapes, or the shapes of each subject in
+/// the order of their first shapes.
+/// \param subjects  one per shape; ignored for LeaveOut::shape
 std::vector<std::vector<int>> left_out_together(int shapes, const std::vector<std::string>& subjects,
                                                 LeaveOut leave_out);
 
-/// d(input, x(M)) of one shape that is not in the model, for each of the numbers of modes.
-/// \param landmarks, input  in the shape's own coordinates, mm
+/// The errors d(input, x(M)) of one shape that is not in the model, for each number of modes M in `counts`.
+/// \param landmarks, input  landmarks and surface of the shape in its own coordinates, mm
 std::vector<ShapeError> unseen_errors(const std::vector<Vec3>& landmarks, const Mesh& input,
                                       const AlignedModel& aligned, const std::vector<int>& counts,
                                       const GeneralizationOptions& options);
 
-/// From the errors of each shape at all numbers of modes to the estimates over shapes; nothing without
-/// shapes.
+/// The estimates over shapes for each number of modes, from the errors of each shape; empty without shapes.
 std::vector<ErrorsAtModes> over_shapes(const std::vector<std::vector<ShapeError>>& errors,
                                        const std::vector<int>& counts);
 
-/// Generalization of the whole method: as generalization(), but the correspondence too is computed without
-/// the shapes left out; they are then registered to the model built without them.
+/// Generalization of the whole method: as generalization(), but the correspondence is also computed without
+/// the left-out shapes, which are then registered to the model built without them.
 struct RefitGeneralization {
   struct Failure {
-    std::string shape;    ///< that could not be registered
-    std::string without;  ///< in the build that left this shape or subject out
+    std::string shape;    ///< the shape that could not be registered
+    std::string without;  ///< the build: the shape or subject that it left out
     std::string reason;
   };
-  Generalization generalization;   ///< items in the order of these names:
-  std::vector<std::string> names;  ///< shapes that entered
-  std::vector<Failure> failures;   ///< a shape of `without` has not entered; others were not in that model
+  Generalization generalization;   ///< items are in the order of `names`
+  std::vector<std::string> names;  ///< shapes that were registered
+  /// Left-out shapes that failed have no item; other failed shapes were missing in that model.
+  std::vector<Failure> failures;
 };
 
 }  // namespace foramen

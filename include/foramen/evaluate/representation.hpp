@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How faithfully corresponding meshes represent the surfaces they stand for.
+/// Representation error: how well corresponding meshes represent the original surfaces.
 
 #include <vector>
 
@@ -10,24 +10,27 @@
 
 namespace foramen {
 
-/// Where on a shape its corresponding mesh departs from the input surface.
+/// The local deviation of a corresponding mesh from its input surface.
 struct ErrorMap {
-  std::vector<double> landmark_mm;  ///< per landmark: the largest distance found in its surroundings, mm
-  std::vector<int> plain_flips;     ///< triangles, as SampledFlips, in order
+  std::vector<double> landmark_mm;  ///< per landmark: the largest distance in its neighbourhood, mm
+  std::vector<int> plain_flips;     ///< indices of triangles, in order; see SampledFlips
   std::vector<int> confirmed_flips;
 };
 
+/// The representation error of one shape.
 struct ShapeRepresentation {
-  SurfaceDistance distance;    ///< corresponding mesh to original input, in the input's own size, mm
-  int plain_flips = 0;         ///< triangles opposing the input at their centroid's closest point
-  int confirmed_flips = 0;     ///< of these, those opposing every input triangle that may be meant
-  int degenerate = 0;          ///< triangles without area
-  int opposing_mean = 0;       ///< triangles opposing the same triangle of the mean shape
-  int self_intersections = 0;  ///< pairs of triangles of the corresponding mesh, as self_intersections()
-  int input_self_intersections = 0;  ///< the same of the original input
-  ErrorMap map = {};                 ///< where these distances and flips are
+  /// Distances between the corresponding mesh and the original input, in the size of the input, mm.
+  SurfaceDistance distance;
+  int plain_flips = 0;         ///< triangles that oppose the input at the point closest to their centroid
+  int confirmed_flips = 0;     ///< those of them that are confirmed, see SampledFlips
+  int degenerate = 0;          ///< triangles of zero area
+  int opposing_mean = 0;       ///< triangles that oppose the same triangle of the mean shape
+  int self_intersections = 0;  ///< pairs of triangles of the corresponding mesh, see self_intersections()
+  int input_self_intersections = 0;  ///< the same for the original input
+  ErrorMap map = {};                 ///< positions of these distances and flips
 };
 
+/// The representation error of a cohort.
 struct Representation {
   std::vector<ShapeRepresentation> shapes;
   Estimate mean_surface, p95, hausdorff;                  ///< over shapes, mm
@@ -35,7 +38,7 @@ struct Representation {
   Estimate self_intersections, input_self_intersections;  ///< over shapes, pairs of triangles
 };
 
-/// \param aligned  of the same cohort: its mean shape is what opposing_mean refers to
+/// \param aligned  the same cohort aligned; opposing_mean refers to its mean shape
 Representation representation(const CorrespondingCohort& cohort, const AlignedCohort& aligned,
                               const SurfaceDistanceOptions& options, const RunContext& ctx);
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Triangle meshes on disk: PLY, STL, OBJ, OFF, legacy VTK and VTP, by our own strict readers.
+/// Triangle meshes on disk: PLY, STL, OBJ, OFF, legacy VTK and VTP. The readers are strict: they refuse
+/// damaged, incomplete and contradictory files.
 
 #include <filesystem>
 #include <optional>
@@ -16,37 +17,41 @@ namespace foramen {
 /// Axes of the coordinates: LPS (left, posterior, superior; DICOM, ITK) or RAS (right, anterior, superior).
 enum class AnatomicalSpace { lps, ras };
 
-/// What a mesh file says.
+/// The content of a mesh file.
 struct MeshFile {
   TriangleSoup soup;
   std::optional<AnatomicalSpace>
       space;  ///< from a SPACE=LPS / SPACE=RAS comment; unset: untagged (taken as LPS)
 };
 
-/// Extensions (lower case, with dot) that read_mesh understands.
+/// The extensions (lower case, with dot) that read_mesh() reads.
 const std::vector<std::string>& mesh_extensions();
 
-/// Reads by extension (any case). Polygons with more than three corners are refused. STL corners with the
-/// very same coordinates are welded. Throws IoError naming the file, what was found, where, and what to do.
+/// Reads a mesh in the format that the extension (upper or lower case) names. Polygons with more than three
+/// corners are refused. STL corners with exactly equal coordinates become one vertex. Throws IoError with the
+/// file, what was found, where in the file, and what to do.
 MeshFile read_mesh(const std::filesystem::path& path);
 
-/// A number for every point, by a name without blanks.
+/// A scalar field on the vertices, one value per point; the name has no blanks.
 struct VertexScalar {
   std::string name;
   std::vector<double> values;
 };
 
-/// Binary little-endian PLY: float32 coordinates, `vertex_indices`, LF line ends, one SPACE comment
-/// (INTEROP 3.6).
+/// Writes binary little-endian PLY with float32 coordinates, the list property `vertex_indices`, LF line ends
+/// and one comment SPACE=LPS or SPACE=RAS. Throws InvalidInput if a coordinate is not finite in float32 or a
+/// corner does not exist; IoError if the file cannot be written.
 void write_ply(const std::filesystem::path& path, const TriangleSoup& soup,
                AnatomicalSpace space = AnatomicalSpace::lps);
 
-/// The same with scalars as float32 properties of the vertices, after the coordinates: viewers colour by
-/// them, other readers pass over them. Throws InvalidInput for a scalar that has not one value per point.
+/// The same with scalar fields as float32 vertex properties after the coordinates. Viewers can colour by them
+/// and other readers skip them. Throws InvalidInput also for a field that has not exactly one value per
+/// point.
 void write_ply(const std::filesystem::path& path, const TriangleSoup& soup, AnatomicalSpace space,
                std::span<const VertexScalar> scalars);
 
-/// VTK XML PolyData (ASCII-free appended-free inline base64 binary), with a SPACE field. Needs no VTK.
+/// Writes VTK XML PolyData with inline base64 binary arrays and a field SPACE. Throws as write_ply(). Does
+/// not need the VTK library.
 void write_vtp(const std::filesystem::path& path, const TriangleSoup& soup,
                AnatomicalSpace space = AnatomicalSpace::lps);
 

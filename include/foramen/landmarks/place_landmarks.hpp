@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The second stage: landmarks, chosen on the mean of all shapes and placed on every shape.
+/// The second stage: landmarks are chosen on the mean of all shapes and placed on every shape.
 
 #include <cstdint>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace foramen {
 
-/// How landmarks are spread over the mean.
+/// How landmarks are distributed over the mean.
 struct LandmarkSpreadOptions {
   int grid_points = 65000;
   CurvatureDensityOptions density = {};
@@ -41,7 +41,7 @@ void describe(Visitor& visit, MaybeConst<LandmarkSpreadOptions> auto& o) {
 struct PlaceLandmarksOptions {
   int count = 4000;
   std::optional<double> target_error_mm =
-      std::nullopt;  ///< Set: it decides the number, and `count` does not.
+      std::nullopt;  ///< If set, it determines the number of landmarks instead of `count`.
   ScaleMode scale = ScaleMode::keep;
   std::uint64_t seed = 1;
   LandmarkSpreadOptions spread = {};
@@ -62,32 +62,35 @@ void describe(Visitor& visit, MaybeConst<PlaceLandmarksOptions> auto& o) {
   visit(o.spread, {.name = "resampling"});
 }
 
+/// Landmarks on all shapes.
 struct Landmarks {
-  std::vector<std::string> names;         ///< of the shapes, in the order of the correspondence
-  std::vector<std::vector<Vec3>> points;  ///< per shape: on its surface, in its own coordinates, mm
-  LandmarkMesh mesh;                      ///< their places on the torus, and the triangles of all shapes
-  int inserted = 0;                       ///< added to the budget by refinement
-  int remaining_flips = 0;                ///< see RefinedLandmarks::remaining; must be 0
+  std::vector<std::string> names;  ///< names of the shapes, in the order of the correspondence
+  /// Per shape: the landmarks on its surface, in its own coordinates, mm.
+  std::vector<std::vector<Vec3>> points;
+  LandmarkMesh mesh;  ///< their positions on the torus, and the triangles, which are the same for all shapes
+  int inserted = 0;   ///< number of landmarks inserted by refinement
+  int remaining_flips = 0;  ///< see RefinedLandmarks::remaining; must be 0
   int initial_self_intersections = 0, remaining_self_intersections = 0;  ///< see RefinedLandmarks
-  /// Method::icp: per shape the landmarks without a normal-compatible point on it. Otherwise empty.
+  /// With Method::icp: per shape the number of landmarks without a point of compatible normal on it.
+  /// Otherwise empty.
   std::vector<int> without_compatible;
 };
 
-/// Landmarks spread by curvature over the dense mean of all shapes; their density is raised where they miss a
-/// shape (raised_by_error()), and they are mended where a triangle is flipped or meets another on some shape
-/// (refine_landmarks()). With Method::icp the reference's own landmarks are carried to their closest
-/// compatible points on the other shapes (icp_correspondence()).
+/// Places landmarks on all shapes. They are distributed by curvature over the dense mean of all shapes. Their
+/// density is raised where they represent a shape badly (raised_by_error()), and they are repaired where a
+/// triangle is flipped or intersects another on some shape (refine_landmarks()). With Method::icp the
+/// landmarks of the remeshed reference are moved to the closest compatible points of the other shapes
+/// (icp_correspondence()).
 ///
-/// \param shapes  those of correspond(), found by their names
-/// \param correspondence  is consumed: the maps of many large shapes are let go of on the way
+/// \param shapes  the shapes that were given to correspond(); they are found by their names
+/// \param correspondence  consumed, so that the memory of the maps of many large shapes is released early
 /// Throws ConvergenceError if the target error is not reached with 30 000 landmarks.
 Landmarks place_landmarks(std::span<const Shape> shapes, Correspondence correspondence,
                           const PlaceLandmarksOptions& options, const RunContext& ctx);
 
-/// The landmarks of a finished placement on a shape that is not in the cohort, in the shape's own
-/// coordinates: the shape is registered to the frame by register_to_group(), register_shape() or
-/// icp_correspondence(), as the options say, and the landmarks are lifted to it.
-/// Throws the errors of registration.
+/// The landmarks of a finished placement on a shape that is not in the cohort, in the coordinates of the
+/// shape, mm. The shape is registered by register_to_group(), register_shape() or icp_correspondence(),
+/// depending on the options, and the landmarks are lifted to it. Throws the errors of these functions.
 std::vector<Vec3> landmarks_on_newcomer(const Mesh& shape, const CohortRegistration& cohort,
                                         const Landmarks& landmarks, const CorrespondOptions& options,
                                         const RunContext& ctx);

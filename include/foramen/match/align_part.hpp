@@ -42,14 +42,18 @@ void describe(Visitor& visit, MaybeConst<AlignPartOptions> auto& o) {
         {.name = "most_answers", .range = at_least(1), .meaning = "most alignments that are returned"});
 }
 
-/// Where the part may lie on the whole, the best first: at most `most_answers` alignments that differ in
-/// rotation by more than 0.2 rad. ICP \cite besl1992 that asks of every sample of the part for the whole's
-/// nearest point by position and normal, and never the other way round, since most of the whole may be
-/// missing; Tukey's weights leave out what the whole does not have. Starts are rotations of a super-Fibonacci
-/// spiral \cite alexa2022 with the part's centroid at the whole's and at points spread over it; after each
-/// few iterations only the better ones go on. Residuals are means over the part's samples, see
-/// Alignment::residual; `second_best` is the next answer's. The part may be open, in several pieces, or the
-/// whole. Deterministic. Throws InvalidInput for a surface without area or an option out of its range.
+/// Possible alignments of the part with the whole, best first: at most `most_answers`, which differ in
+/// rotation by more than 0.2 rad.
+///
+/// This is one-sided ICP \cite besl1992: each sample of the part is matched with the nearest point of the
+/// whole by position and normal, but not vice versa, since most of the whole may be missing in the part.
+/// Tukey's biweight removes matches of samples that the whole does not have. The starts are rotations of a
+/// super-Fibonacci spiral \cite alexa2022, with the centroid of the part at the centroid of the whole and at
+/// points distributed around it. After every few iterations only the better poses are continued.
+///
+/// Residuals are means over the samples of the part, see Alignment::residual; `second_best` is the residual
+/// of the next alignment. The part may be open, in several pieces, or the whole. The result is deterministic.
+/// Throws InvalidInput for a surface of zero area and for options out of range.
 std::vector<Alignment> align_part(const Mesh& part, const Mesh& whole, const RunContext& ctx,
                                   const AlignPartOptions& options = {});
 

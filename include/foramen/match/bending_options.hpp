@@ -9,7 +9,7 @@
 
 namespace foramen {
 
-/// A part of the covariance of each coordinate: amplitude^2 exp(-r^2 / (2 length^2)).
+/// One term of the covariance of each coordinate: amplitude^2 exp(-r^2 / (2 length^2)).
 struct DisplacementScale {
   double length_mm = 10;
   double amplitude_mm = 1;
@@ -27,7 +27,7 @@ void describe(Visitor& visit, MaybeConst<DisplacementScale> auto& o) {
 }
 
 struct SmoothDisplacementOptions {
-  /// From what moves a whole vertebra's part to what moves the tip of a process.
+  /// From displacements of large parts of a vertebra to displacements of the tip of a process.
   std::vector<DisplacementScale> scales = {{40, 4}, {20, 1.5}, {10, 0.5}};
   double shift_mm = 10;
   double linear_mm = 6;
@@ -55,11 +55,11 @@ void describe(Visitor& visit, MaybeConst<SmoothDisplacementOptions> auto& o) {
         {.name = "functions_limit", .range = at_least(1), .meaning = "most functions of the basis"});
 }
 
-/// How points of two surfaces are matched and weighed.
+/// How points of two surfaces are matched and weighted.
 struct MatchOptions {
   int samples = 3000;
   double normal_weight = 8.0;
-  /// Small, since the closest point says little about where along the surface a vertex belongs.
+  /// Small, because a closest point says little about the position of a vertex along the surface.
   double tangential_share = 0.05;
   double independent_area_mm2 = 20;
   double rejection = 4;
@@ -94,7 +94,7 @@ void describe(Visitor& visit, MaybeConst<MatchOptions> auto& o) {
 struct DeformTemplateOptions {
   std::vector<double> noise_mm = {4, 2, 1, 0.5, 0.25};  ///< Not empty.
   int iterations = 4;
-  MatchOptions match = {};  ///< Its samples are of each of the two surfaces.
+  MatchOptions match = {};  ///< The number of samples holds for each of the two surfaces.
 };
 template <class Visitor>
 void describe(Visitor& visit, MaybeConst<DeformTemplateOptions> auto& o) {

@@ -1,14 +1,14 @@
 #pragma once
 /// \file
-/// What is known of a displacement before its shape is seen.
+/// The prior distribution of a displacement.
 
 #include <Eigen/Core>
 
 namespace foramen {
 
-/// A normal distribution of the coefficients of smooth_displacements(), R functions, stacked by coordinate
-/// (all of x, all of y, all of z): \f$ a \sim N(m, v I + D D^T) \f$. As it is made here: the smooth process
-/// itself.
+/// A normal distribution \f$ a \sim N(m, v I + D D^T) \f$ of the coefficients of the R functions of
+/// smooth_displacements(), stacked by coordinate (all of x, all of y, all of z). The default is the
+/// distribution of the smooth process itself.
 struct DisplacementPrior {
   double variance = 1;              ///< v, > 0
   Eigen::VectorXd mean = {};        ///< m, 3 R; empty: zero
@@ -21,7 +21,9 @@ struct PriorForm {
   Eigen::VectorXd pull;       ///< q = P m
 };
 
-/// \param coefficients  3 R. Throws InvalidInput for sizes that do not fit, or a variance that is not > 0.
+/// Converts a prior to its quadratic form. Throws InvalidInput for sizes that do not agree and for a variance
+/// that is not > 0.
+/// \param coefficients  the number of coefficients, 3 R
 PriorForm prior_form(const DisplacementPrior& prior, Eigen::Index coefficients);
 
 }  // namespace foramen

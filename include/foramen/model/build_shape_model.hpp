@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The third stage: alignment and principal components of corresponding shapes.
+/// The third stage: Procrustes alignment and principal component analysis of corresponding shapes.
 
 #include <array>
 #include <vector>
@@ -14,7 +14,8 @@ namespace foramen {
 
 struct ShapeModelOptions {
   ScaleMode scale = ScaleMode::keep;
-  LandmarkWeights weights = LandmarkWeights::equal;  ///< in the alignment and the model
+  /// Weights of the landmarks in the alignment and in the model.
+  LandmarkWeights weights = LandmarkWeights::equal;
 };
 template <class Visitor>
 void describe(Visitor& visit, MaybeConst<ShapeModelOptions> auto& o) {
@@ -23,16 +24,18 @@ void describe(Visitor& visit, MaybeConst<ShapeModelOptions> auto& o) {
         {.name = "landmark_weights", .meaning = "what landmarks count for: all alike, or by their area"});
 }
 
+/// A shape model and the alignment from which it was computed.
 struct AlignedModel {
-  ProcrustesResult alignment;  ///< what the model was made of
+  ProcrustesResult alignment;  ///< the aligned shapes from which the model was computed
   ShapeModel model;
 };
 
-/// Generalized Procrustes alignment (procrustes()) and the principal components of the aligned shapes
-/// (model_of_aligned()), both with the landmarks' weights (landmark_weights()).
-/// \param shapes  corresponding points of each, in any pose, mm
-/// Throws InvalidInput if the shapes are the same but for their pose, so that there is no variation, and what
-/// procrustes() throws.
+/// Aligns the shapes (procrustes()) and computes the principal components of the aligned shapes
+/// (model_of_aligned()), both with the weights of landmark_weights(). Throws InvalidInput if the shapes
+/// differ by their pose only, so that there is no variation, and what procrustes() and landmark_weights()
+/// throw.
+/// \param shapes  corresponding points of each shape, in any pose, mm
+/// \param triangles  triangles over the points, the same for all shapes
 AlignedModel build_shape_model(const std::vector<std::vector<Vec3>>& shapes,
                                const std::vector<std::array<int, 3>>& triangles,
                                const ShapeModelOptions& options = {});

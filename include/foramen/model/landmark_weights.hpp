@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What each landmark counts for in alignment, PCA and landmark distances.
+/// Weights of the landmarks in the alignment, in the PCA and in landmark distances.
 
 #include <array>
 #include <string_view>
@@ -11,9 +11,10 @@
 
 namespace foramen {
 
+/// How landmarks are weighted.
 enum class LandmarkWeights {
-  equal,  ///< every landmark alike: where landmarks are dense, shape counts for more
-  area    ///< by the area around it: every part of the surface alike
+  equal,  ///< all landmarks count the same, so parts of the surface with denser landmarks count for more
+  area    ///< a landmark counts by the area around it, so all parts of the surface count the same
 };
 
 template <>
@@ -22,11 +23,12 @@ struct EnumWords<LandmarkWeights> {
                                                                          {"area", LandmarkWeights::area}};
 };
 
-/// Empty for LandmarkWeights::equal. For area \f$ w_i = P A_i / \sum_j A_j \f$, of mean 1: A_i is a third of
-/// the areas of the triangles at landmark i (vertex_areas) on the mean of the unweighted generalized
-/// Procrustes alignment of the shapes, at the same ScaleMode. Rigid motion of any shape changes nothing.
-/// Throws what procrustes() and build_mesh() throw, and InvalidInput for a landmark around which the mean has
-/// no area.
+/// Returns one weight per landmark, or an empty vector for LandmarkWeights::equal. For LandmarkWeights::area
+/// the weights are \f$ w_i = P A_i / \sum_j A_j \f$ (dimensionless, mean 1) for P landmarks, where A_i is one
+/// third of the area of the triangles at landmark i (vertex_areas()) on the mean shape of the unweighted
+/// Procrustes alignment with the same ScaleMode. A rigid motion of any shape does not change them. Throws
+/// what procrustes() and build_mesh() throw, and InvalidInput if the mean shape has no area around a
+/// landmark.
 std::vector<double> landmark_weights(const std::vector<std::vector<Vec3>>& shapes,
                                      const std::vector<std::array<int, 3>>& triangles, ScaleMode scale,
                                      LandmarkWeights kind);

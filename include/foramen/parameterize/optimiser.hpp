@@ -9,6 +9,7 @@
 
 namespace foramen {
 
+/// The method of minimisation.
 enum class Optimiser {
   newton,         ///< projected Newton over all vertices at once
   polak_ribiere,  ///< the paper's node-wise conjugate gradients
@@ -19,9 +20,9 @@ struct EnumWords<Optimiser> {
       {"newton", Optimiser::newton}, {"polak-ribiere", Optimiser::polak_ribiere}};
 };
 
-/// How triangles and vertices are weighted: `area`: by their share of the surface (an area-weighted mean,
-/// independent of the triangulation); `each`: sum over vertices of E_cor + lambda sum over triangles of E,
-/// the paper's form (eq. 4).
+/// Weights of triangles and vertices in the energy. With `area` they are shares of the surface area, so the
+/// energy is an area-weighted mean that does not depend on the triangulation. With `each` the energy is sum
+/// over vertices of E_cor + lambda sum over triangles of E, the form of the paper (eq. 4).
 enum class Weighting { area, each };
 template <>
 struct EnumWords<Weighting> {

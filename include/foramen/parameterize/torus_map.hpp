@@ -6,14 +6,15 @@
 
 namespace foramen {
 
-/// x - floor(x) in [0, 1), also for -1e-17, whose difference rounds to 1.
+/// x - floor(x), in [0, 1) for every finite x; for -1e-17, whose difference rounds to 1, it is 0.
 double wrap(double turns);
 
-/// Columns: the periods of the two loops in the plane. Upper triangular, det > 0; det = 1 once normalised.
+/// A matrix whose columns are the periods of the two loops in the plane. Upper triangular, det > 0; det = 1
+/// after normalisation.
 using Lattice = Mat2;
 
-/// The shortest representative of a plane vector modulo the lattice: reduced basis (Lagrange), nine
-/// candidates.
+/// Finds the shortest representative of a plane vector modulo the lattice, among nine candidates in a
+/// Lagrange-reduced basis.
 class LatticeReducer {
  public:
   explicit LatticeReducer(const Lattice& lattice);
@@ -23,29 +24,29 @@ class LatticeReducer {
   Mat2 reduced_, inverse_;
 };
 
-/// Positions in turns, and the integer jump of every halfedge: the edge i -> j is L (p_j + t_ij - p_i) in the
-/// plane.
+/// A map to the torus: positions p in turns and an integer jump t_ij for every halfedge. In the plane the
+/// halfedge i -> j is the vector L (p_j + t_ij - p_i).
 struct TorusMap {
   Lattice lattice = Lattice::Identity();
-  VertexMap<Vec2> turns;     ///< one turn = one period
-  HalfedgeMap<Vec2i> jumps;  ///< t_ij; jumps[twin(h)] == -jumps[h], and they sum to zero round every face
+  VertexMap<Vec2> turns;  ///< one turn = one period
+  /// The jumps t_ij; jumps[twin(h)] == -jumps[h], and the jumps around every face sum to zero.
+  HalfedgeMap<Vec2i> jumps;
 };
 
-/// The three corners of a face in the plane, the first at L p_i, the others continued across cuts.
+/// The three corners of a face in the plane: the first at L p_i, the others displaced by the jumps.
 std::array<Vec2, 3> plane_triangle(const Mesh& mesh, const TorusMap& map, FaceId f);
-/// Signed area in the plane; the domain's is det(lattice).
+/// Signed area of a face in the plane. The area of the domain is det(lattice).
 double signed_area(const Mesh& mesh, const TorusMap& map, FaceId f);
-/// The same map with all positions in [0, 1)^2 and jumps to match: points that left the rectangle enter on
-/// the opposite side.
+/// The same map with all positions in [0, 1)^2 and the jumps changed accordingly.
 TorusMap wrapped(const Mesh& mesh, TorusMap map);
 /// Positions of a quantised map are multiples of 2^-quantum_bits turns.
 inline constexpr int quantum_bits = 40;
-/// The same map with positions rounded to multiples of 2^-40 turns, so that p + t is exact and orientation
-/// tests are.
+/// The same map with positions rounded to multiples of 2^-40 turns, so that p + t and orientation tests are
+/// exact.
 TorusMap quantised(const Mesh& mesh, TorusMap map);
-/// jumps -> B jumps, positions -> B p, lattice -> L B^-1 turned until it is upper triangular with det > 0:
-/// the same map in another basis of periods. Lengths stay; areas too if det B = 1, and change their sign if
-/// det B = -1. InvalidInput for other det.
+/// The same map in another basis of periods: jumps B t, positions B p and the lattice L B^-1, rotated or
+/// reflected to be upper triangular with det > 0. Lengths in the plane do not change. Signed areas do not
+/// change if det B = 1 and change their sign if det B = -1. Throws InvalidInput for any other determinant.
 TorusMap change_basis(TorusMap map, const Eigen::Matrix2i& b);
 
 }  // namespace foramen

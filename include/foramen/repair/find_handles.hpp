@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The handles of a closed surface, the canal among them.
+/// The handles of a closed surface, including the vertebral canal.
 
 #include <vector>
 
@@ -9,25 +9,30 @@
 
 namespace foramen {
 
-/// A handle by its two loops: the shortest one that does not separate the surface, and the shortest that
-/// crosses it.
+/// A handle, described by two loops: the shortest loop that does not separate the surface, and the shortest
+/// loop that crosses it.
 struct Handle {
-  LoopKind kind = LoopKind::neither;  ///< of the first: handle = a bridge to cut, tunnel = a tunnel to fill
-  double length_mm = 0;               ///< of the first
-  double across_mm = 0;               ///< of the second: round what the bridge spans, or through the tunnel
-  Vec3 position = Vec3::Zero();       ///< centre of the first, mm
+  /// Kind of the first loop; handle: a bridge to cut, tunnel: a tunnel to fill.
+  LoopKind kind = LoopKind::neither;
+  double length_mm = 0;  ///< length of the first loop
+  double across_mm = 0;  ///< length of the second loop, which runs along the bridge or through the tunnel
+  Vec3 position = Vec3::Zero();  ///< centre of the first loop, mm
 };
 
+/// All handles of a surface.
 struct SurfaceHandles {
-  std::vector<Handle>
-      extra;     ///< genus - 1, the shortest first: each is the shortest when those before are gone
-  Handle canal;  ///< what is left: a tunnel; length_mm round it, across_mm round the arch
+  /// The genus - 1 other handles; each is the shortest one of the surface without the handles before it.
+  std::vector<Handle> extra;
+  /// The tunnel that is left; length_mm is its circumference, across_mm the length of the loop around the
+  /// arch.
+  Handle canal;
 };
 
-/// \pre closed, connected, genus at least 1, wound outward. TopologyError otherwise.
+/// Throws TopologyError if the surface is not closed or not connected, or if its genus is 0. \pre wound
+/// outward
 SurfaceHandles find_handles(const Mesh& mesh, const RunContext& ctx);
 
-/// The one tunnel of a genus-1 surface.
+/// The one tunnel of a surface of genus 1. Throws TopologyError for any other genus.
 Handle find_canal(const Mesh& mesh);
 
 }  // namespace foramen

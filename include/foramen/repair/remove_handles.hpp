@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Cutting noise bridges and filling noise tunnels until only the vertebral canal is left.
+/// Removal of bridges and tunnels that are noise of the segmentation, so that the vertebral canal is the only
+/// handle.
 
 #include <string>
 #include <vector>
@@ -11,9 +12,9 @@
 namespace foramen {
 
 struct RemoveHandlesOptions {
-  /// An extra handle is noise if both its loops are at most this long [mm] ...
+  /// A handle other than the canal is noise if both its loops are at most this long [mm].
   double noise_mm = 12;
-  /// ... or if it is a bridge at most this thick, measured round it [mm]. All else is anatomy.
+  /// A bridge is noise, too, if its circumference is at most this long [mm]. All other handles are anatomy.
   double thin_bridge_mm = 4;
   int most_handles = 16;
 };
@@ -35,22 +36,25 @@ void describe(Visitor& visit, MaybeConst<RemoveHandlesOptions> auto& o) {
 /// Whether a handle is noise of the segmentation, by the rule of the options.
 bool is_noise(const Handle& handle, const RemoveHandlesOptions& options);
 
+/// The result of remove_handles().
 struct HandleRemoval {
   Mesh mesh;  ///< genus 1
-  VertexMap<VertexId>
-      origin;  ///< per vertex: the vertex before; invalid: new. Kept vertices keep their order.
+  /// Per vertex: its index in the input, invalid for a new vertex; kept vertices keep their order.
+  VertexMap<VertexId> origin;
   std::vector<Handle> removed;  ///< in the order of removal
-  Handle canal;                 ///< the tunnel that is left, the largest
+  Handle canal;                 ///< the tunnel that is left
 };
 
-/// Removes extra handles one by one, the shortest first: a band of triangles along the loop is taken out and
-/// each of its borders closed by a smooth disk, as narrow a band as gives disks that meet nothing. Only these
-/// triangles change. A surface of genus 1 comes back as it is.
+/// Removes all handles but the canal, one by one and the shortest first. A band of triangles along the loop
+/// of a handle is removed, and each border of the band is closed by a smooth disk. The narrowest band whose
+/// disks do not intersect the surface is taken. No other triangles change, and a surface of genus 1 is
+/// returned unchanged.
 ///
-/// Throws TopologyError with the genus and the reason: genus 0 (the canal is closed or the arch open), a
-/// handle that is not noise (foramina transversaria), a bridge that spans more than the canal is round
-/// (either may be the canal), a hole no larger than noise as the only one; InvalidInput for a handle that
-/// cannot be closed without running into the surface.
+/// Throws TopologyError with the reason: genus 0 (the canal is closed or the arch is open), a handle that is
+/// not noise (such as a foramen transversarium), a noise bridge whose loop across it is at least as long as
+/// the circumference of the canal (either of the two holes may be the canal), or a remaining tunnel that is
+/// no larger than noise. Throws InvalidInput for a handle that no disk closes without intersecting the
+/// surface.
 HandleRemoval remove_handles(const Mesh& mesh, const RemoveHandlesOptions& options = {},
                              const RunContext& ctx = RunContext());
 

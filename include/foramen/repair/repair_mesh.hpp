@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Repair of a raw surface: what comes out is one closed, manifold, outward, genus-1 surface.
+/// Repair of a raw surface. The result is one closed manifold surface of genus 1, wound outward.
 
 #include <optional>
 #include <string>
@@ -14,9 +14,11 @@
 namespace foramen {
 
 struct RepairOptions {
-  /// A hole is filled if its border is no longer than this [mm]. Above: bone may be missing.
+  /// A hole is filled if its border is at most this long [mm]. A surface with a longer border is refused,
+  /// because bone may be missing there.
   double hole_perimeter_mm = 20;
-  /// A separate piece is dropped if its area is at most this share of the largest's. Above: which is meant?
+  /// A separate piece is dropped if its area is at most this share of the area of the largest piece. A
+  /// surface with a larger second piece is refused, because either piece may be the vertebra.
   double stray_share = 0.1;
   RemoveHandlesOptions handles = {};
 };
@@ -33,59 +35,66 @@ void describe(Visitor& visit, MaybeConst<RepairOptions> auto& o) {
   visit(o.handles, {.nesting = Nesting::inlined});
 }
 
-/// In the order in which they are mended.
+/// Kinds of repairs, in the order in which they are made.
 enum class RepairKind {
-  unused_vertices,        ///< dropped: they belong to no triangle
-  duplicate_vertices,     ///< joined with an earlier one of the same coordinates
-  zero_area_triangles,    ///< dropped, collapsed or flipped
-  duplicate_triangles,    ///< dropped: the same corners as an earlier one
-  flaps,                  ///< dropped: pieces that hang on an edge with three or more triangles
-  non_manifold_edges,     ///< opened: three or more triangles
-  non_manifold_vertices,  ///< doubled: parts that touch in one point
-  stray_components,       ///< dropped, outside the surface
-  inner_shells,           ///< dropped, inside the surface
-  reversed_triangles,     ///< wound the other way
+  unused_vertices,        ///< vertices of no triangle, dropped
+  duplicate_vertices,     ///< merged with an earlier vertex of the same coordinates
+  zero_area_triangles,    ///< triangles of zero area: dropped, collapsed or flipped
+  duplicate_triangles,    ///< triangles with the same corners as an earlier one, dropped
+  flaps,                  ///< pieces attached to the surface at an edge with three or more triangles, dropped
+  non_manifold_edges,     ///< edges with three or more triangles, separated
+  non_manifold_vertices,  ///< vertices at which parts of the surface touch, doubled
+  stray_components,       ///< separate pieces outside the surface, dropped
+  inner_shells,           ///< separate pieces inside the surface, dropped
+  reversed_triangles,     ///< triangles with reversed winding
   holes,                  ///< filled
-  self_intersections,     ///< pairs of triangles, parted
-  bridges,                ///< handles cut
-  tunnels                 ///< handles filled
+  self_intersections,     ///< pairs of intersecting triangles, separated
+  bridges,                ///< bridges cut (see remove_handles())
+  tunnels                 ///< tunnels filled (see remove_handles())
 };
-/// "holes filled" and the like.
+/// A description such as "holes filled".
 std::string_view description(RepairKind kind);
 
+/// All repairs of one kind.
 struct RepairChange {
   RepairKind kind = RepairKind::unused_vertices;
-  std::vector<Vec3> positions;  ///< of each, mm: a vertex, or the middle of what was changed
+  std::vector<Vec3> positions;  ///< one position per change, mm: a vertex or the centre of the changed part
   int count() const { return static_cast<int>(positions.size()); }
 };
 
+/// Everything that repair_mesh() changed.
 struct RepairReport {
-  std::vector<RepairChange> changes;    ///< what was done, one entry a kind; empty: the surface was clean
-  std::vector<Handle> removed_handles;  ///< the bridges and tunnels among them, in the order of removal
-  Handle canal;                         ///< what is left
-  std::vector<Vec3> remaining_self_intersections;  ///< pairs of triangles that could not be parted, mm
-  double largest_move_mm = 0;                      ///< of a vertex that was kept
+  /// One entry per kind of repair made; empty for a surface without defects.
+  std::vector<RepairChange> changes;
+  /// The bridges and tunnels among the changes, in the order of removal.
+  std::vector<Handle> removed_handles;
+  Handle canal;  ///< the tunnel that is left
+  /// Positions of pairs of triangles that could not be separated, mm.
+  std::vector<Vec3> remaining_self_intersections;
+  double largest_move_mm = 0;  ///< largest displacement of a kept vertex
 };
 
 /// One line: "holes filled: 1 at (1.0, 2.0, 3.0); cut a bridge, 2.3 mm round ...".
 std::string summary(const RepairReport& report);
 
+/// The result of repair_mesh().
 struct RepairedMesh {
   Mesh mesh;
   RepairReport report;
-  VertexMap<VertexId> origin;    ///< per vertex: the vertex in raw; invalid where a patch is new
-  VertexMap<VertexId> repaired;  ///< per raw vertex: the vertex it became (the first, if it was doubled)
-  /// Where a raw vertex is now; nullopt if it is gone.
+  VertexMap<VertexId> origin;  ///< per vertex: its index in the raw surface; invalid for a new vertex
+  /// Per raw vertex: the vertex that it became (the first one if it was doubled); invalid if it was dropped.
+  VertexMap<VertexId> repaired;
+  /// The vertex that a raw vertex became; nullopt if it was dropped.
   std::optional<VertexId> from_raw(VertexId raw) const;
 };
 
-/// One pass over the defects in the order of RepairKind. Points that are kept and not reported stay where
-/// they are, to the bit; a surface without defect comes back as it was. Vertices keep their order, new ones
-/// come last.
+/// Repairs the defects in the order of RepairKind. A kept vertex that no repair concerns keeps its exact
+/// position, and a surface without defects is returned unchanged. Vertices keep their order; new ones come
+/// last.
 ///
-/// Throws InvalidInput naming the defect, where it is and what to do: a coordinate that is not finite, an
-/// index out of range, holes beyond the limit, pieces of like size, a surface that cannot be oriented
-/// (TopologyError), genus other than 1 by more than noise (see remove_handles).
+/// Throws InvalidInput with the defect, its position and what to do: a coordinate that is not finite, an
+/// index out of range, a hole beyond the limit, or a second piece beyond the limit. Throws TopologyError for
+/// a surface that cannot be oriented and for one whose genus remove_handles() cannot reduce to 1.
 RepairedMesh repair_mesh(const TriangleSoup& raw, const RepairOptions& options = {},
                          const RunContext& ctx = RunContext());
 

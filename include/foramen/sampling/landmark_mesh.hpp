@@ -11,9 +11,9 @@ namespace foramen {
 
 /// A triangulation of the torus whose vertices are landmarks.
 struct LandmarkMesh {
-  std::vector<Vec2> turns;  ///< of each landmark
+  std::vector<Vec2> turns;  ///< torus position of each landmark
   std::vector<std::array<int, 3>> triangles;
-  HalfedgeMap<Vec2i> jumps;  ///< of halfedge 3f+k: an embedding of the torus like any torus map
+  HalfedgeMap<Vec2i> jumps;  ///< of halfedge 3f+k, as in TorusMap
 };
 
 }  // namespace foramen

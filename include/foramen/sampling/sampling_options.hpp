@@ -1,21 +1,25 @@
 #pragma once
 /// \file
-/// How landmarks are spread over a surface: options of curvature_density(), raised_by_error() and
+/// How landmarks are distributed over a surface: options of curvature_density(), raised_by_error() and
 /// remesh().
 
 #include "foramen/core/options.hpp"
 
 namespace foramen {
 
-/// The defaults are the middle of a wide plateau: on real lumbar vertebrae the error of representation hardly
+/// The results are not sensitive to these options: on real lumbar vertebrae the representation error hardly
 /// changes for contrasts of 0.35 to 0.5, floors of 0.05 to 0.15 and radii of 0.007 to 0.015.
 struct CurvatureDensityOptions {
-  /// 0.5 spreads the largest error evenly (an edge of length h misses a surface of curvature k by h^2 k / 8,
-  /// and the curvature measured here is of the kind k^2), 0.25 lessens the mean.
+  /// Exponent of the curvature in the density. An edge of length h deviates from a surface of curvature k by
+  /// h^2 k / 8, and the measure used here has the dimension of k^2, so 0.5 distributes the largest errors
+  /// evenly. 0.25 gives a smaller mean error.
   double contrast = 0.5;
   double floor = 0.15;
-  int smoothing_rounds = 5;  ///< each moves the density half-way to the neighbours' mean
-  /// It decides what is a feature and what a voxel's step: about 1 mm on a vertebra.
+  /// In each round a density becomes the average of itself and the mean of its neighbours.
+  int smoothing_rounds = 5;
+  /// Standard deviation of the kernel that averages the curvature tensor, relative to the square root of the
+  /// area; about 1 mm on a vertebra. Features below this size, such as the steps of voxels, have little
+  /// effect.
   double curvature_radius = 0.008;
 };
 template <class Visitor>
@@ -62,7 +66,7 @@ void describe(Visitor& visit, MaybeConst<ErrorDensityOptions> auto& o) {
 
 struct RemeshOptions {
   int landmarks = 4000;
-  int relaxation_rounds = 80;  ///< Lloyd
+  int relaxation_rounds = 80;  ///< rounds of Lloyd relaxation
 };
 template <class Visitor>
 void describe(Visitor& visit, MaybeConst<RemeshOptions> auto& o) {

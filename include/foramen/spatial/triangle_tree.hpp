@@ -14,56 +14,60 @@
 
 namespace foramen {
 
+/// A point of the surface that is closest to a query; mm, mm^2.
 struct ClosestPoint {
   SurfacePoint on;
   Vec3 point = Vec3::Zero();
   double squared_distance = std::numeric_limits<double>::infinity();
 };
 
-/// The closest point of one triangle (Voronoi regions, Ericson 2005, \cite ericson2005); accurate also for
-/// slivers and for triangles without area.
+/// The point of one triangle that is closest to the query, by the Voronoi regions of the triangle \cite
+/// ericson2005. Accurate also for slivers and for triangles of zero area.
 ClosestPoint closest_on_triangle(const std::array<Vec3, 3>& triangle, const Vec3& query);
 
-/// Whether a tree can find the closest triangle of some direction. The normals are more than half of its
-/// memory.
+/// Whether a tree keeps normals, which closest_compatible() needs. They take more than half of its memory.
 enum class TreeNormals { kept, none };
 
-/// The surface of a mesh, arranged for queries. All distances are exact point-to-triangle distances in double
-/// precision: the boxes are single precision, rounded outward, and only decide what need not be looked at.
+/// A bounding-volume hierarchy over the triangles of a mesh. All distances are exact point-to-triangle
+/// distances in double precision. The boxes are in single precision, rounded outward, and only exclude
+/// triangles from the search.
 ///
-/// Every const member may be called from many threads at once. No answer depends on the shape of the
-/// hierarchy: of several triangles at the same distance the one of smallest index is returned.
+/// All const members may be called from many threads at once. The results do not depend on the structure of
+/// the hierarchy: of several triangles at the same distance the one of smallest index is returned.
 class TriangleTree {
  public:
   explicit TriangleTree(const Mesh& mesh, TreeNormals normals = TreeNormals::kept);
-  /// The closest point. \param within  only points closer than this distance [mm] (empty face id if there is
-  /// none): a bound from elsewhere makes the search faster. Ties: the smaller face index.
+  /// The closest point of the surface.
+  /// \param within  only points closer than this distance are found [mm]; if there is none, the face id is
+  /// invalid. A known bound makes the search faster.
   ClosestPoint closest(const Vec3& query, double within = std::numeric_limits<double>::infinity()) const;
-  /// The closest point on a triangle whose unit normal n has n . normal > min_cosine; nullopt if no triangle
-  /// has. A triangle without area has no normal and is never compatible. \pre TreeNormals::kept
+  /// The closest point on the triangles whose unit normal n satisfies n . normal > min_cosine; nullopt if
+  /// there is no such triangle within the distance `within` [mm]. A triangle of zero area has no normal and
+  /// is never compatible. \pre TreeNormals::kept
   std::optional<ClosestPoint> closest_compatible(
       const Vec3& query, const Vec3& normal, double min_cosine = 0.0,
       double within = std::numeric_limits<double>::infinity()) const;
-  /// Whether some face is at a distance <= radius: much cheaper than closest() when the answer is yes.
+  /// Whether some face is at a distance <= radius. If so, this is much cheaper than closest().
   bool any_within(const Vec3& query, double radius) const;
-  /// Every face whose distance to the query is <= radius, in order of index.
+  /// All faces whose distance to the query is <= radius, in order of index.
   std::vector<FaceId> faces_within(const Vec3& query, double radius) const;
-  /// Calls `visit` once for every two faces whose bounding boxes meet (touching is meeting), the smaller
-  /// index first. The order of the calls follows the hierarchy.
+  /// Calls `visit` once for every pair of faces whose bounding boxes intersect or touch, with the smaller
+  /// index first. The order of the calls depends on the hierarchy.
   void for_each_overlap(const std::function<void(FaceId, FaceId)>& visit) const;
-  /// Another mesh of the same connectivity: boxes are recomputed, the hierarchy is kept. Throws InvalidInput
-  /// if the triangles differ.
+  /// Replaces the mesh by one of the same connectivity: recomputes the boxes and keeps the hierarchy. Throws
+  /// InvalidInput if the triangles differ.
   void refit(const Mesh& mesh);
   const Mesh& mesh() const { return mesh_; }
 
  private:
-  using Row = std::array<float, 4>;  // one number for each of four children
+  using Row = std::array<float, 4>;  // one number for each of the four children
+
   // Boxes of four children, in coordinates relative to origin_.
   struct alignas(64) Node {
     std::array<Row, 3> low, high;
     std::array<int, 4> child;  // see encode_leaf
   };
-  // Ranges of the unit normals below each child, per coordinate.
+  // Bounds of the unit normals of all triangles below each child, per coordinate.
   struct alignas(64) NormalNode {
     std::array<Row, 3> low, high;
   };
@@ -82,9 +86,10 @@ class TriangleTree {
   TreeNormals kept_normals_;
   Vec3 origin_ = Vec3::Zero();
   std::vector<Node> nodes_;               // parents before children
-  std::vector<NormalNode> normal_nodes_;  // as nodes_; both these and normals_ empty with TreeNormals::none
-  std::vector<int> order_;                // faces in the order of the leaves; the arrays below too
-  std::vector<std::array<int, 3>> corners_;  // vertices: half the tree if the points stood here
+  std::vector<NormalNode> normal_nodes_;  // parallel to nodes_; empty with TreeNormals::none, like normals_
+  std::vector<int> order_;  // faces in the order of the leaves; the arrays below have the same order
+  // Vertex indices, not points, which would take half of the tree's memory.
+  std::vector<std::array<int, 3>> corners_;
   std::vector<Vec3> normals_;
   std::vector<char> sliver_;
 };

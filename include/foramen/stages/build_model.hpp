@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// From surfaces to a statistical shape model: the stages one after another.
+/// From surfaces to a statistical shape model: all stages in one call.
 
 #include <span>
 #include <string>
@@ -26,7 +26,7 @@ void describe(Visitor& visit, MaybeConst<BuildOptions> auto& o) {
   visit(o.model, {.name = "model"});
 }
 
-/// What each stage made. All three name the same shapes in the same order.
+/// The results of the stages. All three have the same shapes in the same order.
 struct BuiltModel {
   CohortRegistration registration;
   Landmarks landmarks;
@@ -34,10 +34,10 @@ struct BuiltModel {
   std::vector<std::pair<std::string, double>> stage_seconds;
 };
 
-/// correspond(), place_landmarks() and build_shape_model(). Throws what these throw.
+/// Calls correspond(), place_landmarks() and build_shape_model(). Throws what these throw.
 BuiltModel build_model(std::span<const Shape> shapes, const BuildOptions& options, const RunContext& ctx);
 
-/// The mean of the model with its landmarks' map to the torus, to which new surfaces can be registered
+/// The mean of the model with the map of its landmarks to the torus, to which new surfaces can be registered
 /// (MeanRegistrar).
 TemplateSurface mean_surface(const BuiltModel& built);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A store of stages in a folder.
+/// A store of finished stages in a folder.
 
 #include <atomic>
 #include <filesystem>
@@ -12,30 +12,30 @@
 
 namespace foramen {
 
-/// One file a result, named by the hash of its key, with a checksum of what it holds. An entry that is not
-/// what was written (cut off, flipped bits) is never believed: it counts as not there, with a note. Files
-/// appear whole or not at all, so several processes may use one folder at once.
+/// Each result is one file, named by the hash of its key, with a checksum of its content. An entry that is
+/// damaged (truncated, flipped bits) counts as missing and a note is made. Files are written atomically, so
+/// several processes may use one folder at once.
 class FolderStore : public StageStore {
  public:
   enum class Use {
-    alone,   ///< no other process uses the folder: what killed ones left half-written is removed
-    shared,  ///< others may be writing now
+    alone,   ///< no other process uses the folder; temporary files of killed processes are removed
+    shared,  ///< other processes may be writing to the folder
   };
-  /// \param program  names the program; what another program has kept is never taken up
+  /// \param program  identifies the program and its version; entries of another program are never used
   FolderStore(std::filesystem::path folder, std::string program, Use use);
 
   /// SHA-256.
   std::string digest(std::string_view bytes) const override;
   std::optional<std::string> load(const std::string& key) override;
-  /// If it cannot be written, nothing is kept any more, with a note, and the work goes on; a folder used
-  /// alone is then given up, since the disk may be full.
+  /// If an entry cannot be written, a note is made, later calls store nothing and the run goes on. A folder
+  /// of Use::alone is then removed, because the disk may be full and the run needs the space for its output.
   void keep(const std::string& key, std::string_view bytes) override;
 
-  /// Stages that need not be done again.
+  /// Number of results that load() has returned.
   int taken_up() const { return taken_up_; }
-  /// What the user should know.
+  /// Messages for the user about damaged entries and failed writes.
   std::vector<std::string> notes() const;
-  /// Removes the folder: nothing is to be taken up any more.
+  /// Removes the folder; later calls of keep() store nothing.
   void remove();
 
  private:

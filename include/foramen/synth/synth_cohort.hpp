@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Vertebra-like shapes with known correspondence.
+/// Synthetic cohorts of vertebra-like shapes with known correspondence.
 
 #include <cstdint>
 #include <vector>
@@ -11,21 +11,24 @@
 
 namespace foramen {
 
-/// The defaults are frozen, and so is what they give: published figures name a cohort by its seed alone, and
-/// other shapes under the same seed would make them incomparable. A test holds checksums of seeds 101 to 105.
+/// The defaults and the shapes that they give must not change: published results identify a cohort by its
+/// seed alone, so they would not be comparable with new ones. A test checks the checksums of seeds 101 to
+/// 105.
 struct SynthOptions {
   int shapes = 14;         ///< >= 1
-  std::uint64_t seed = 1;  ///< of the cohort; every item has streams of its own, forked from it
-  int modes = 4;  ///< True modes of variation, of variances ~ 1/k; 0: every shape its own random deformation.
-  /// RMS displacement of a coordinate by the deformation, to first order, over the ensemble [mm]. >= 0. With
-  /// the default amplitude and correlation, closest normal-compatible points after rigid alignment by the
-  /// truth miss the true correspondence by about 1.8 mm on average, p95 3.9 mm for modes = 0 and 4.6 mm for
-  /// modes = 4.
+  std::uint64_t seed = 1;  ///< seed of the cohort; each item has its own random streams, forked from it
+  /// Number of true modes of variation, with variances proportional to 1/k; 0: each shape has an independent
+  /// random deformation.
+  int modes = 4;
+  /// RMS displacement of a coordinate over the ensemble, to first order [mm]. >= 0. This sets the difficulty:
+  /// with the default amplitude and correlation, the closest points with compatible normals after rigid
+  /// alignment by the truth differ from the true corresponding points by about 1.8 mm on average (95th
+  /// percentile 3.9 mm for modes = 0 and 4.6 mm for modes = 4).
   double amplitude_mm = 2.1;
   /// Displacements at distance r are correlated by exp(-r^2 / (2 correlation_mm^2)) [mm]. > 0.
   double correlation_mm = 40.0;
-  int vertices =
-      10000;  ///< of a shape, within 5 %; at least 1500, since larger triangles would bridge thin processes
+  /// Vertices per shape, within 5 %; at least 1500, since larger triangles would bridge thin processes.
+  int vertices = 10000;
 };
 
 template <class Visitor>
@@ -48,21 +51,23 @@ void describe(Visitor& visit, MaybeConst<SynthOptions> auto& o) {
       {.name = "vertices", .range = at_least(1500).up_to(1000000), .meaning = "vertices of a shape, about"});
 }
 
+/// A synthetic shape and its true correspondence.
 struct SynthShape {
-  TriangleSoup surface;  ///< its own triangulation, shuffled, in a random pose
-  TriangleSoup truth;    ///< the common truth mesh carried by the same deformation and pose: identical
-                         ///< triangles in all shapes
+  TriangleSoup surface;  ///< the surface with its own triangulation, in random order and pose
+  /// A common template mesh with the same deformation and pose as the surface; its triangles are the same for
+  /// all shapes.
+  TriangleSoup truth;
 };
 
-/// A lumbar vertebra with body, canal and processes as an implicit surface (vertebra_surface), carried by the
-/// flow of smooth random velocity fields (so each deformation is a diffeomorphism), every shape triangulated
-/// anew. Genus 1, closed, manifold, outward.
+/// Makes a cohort from a template, a lumbar vertebra given as an implicit surface (vertebra_surface()). Each
+/// shape is triangulated independently and deformed by the flow of a smooth random velocity field, which is a
+/// diffeomorphism. All surfaces are closed manifolds of genus 1, wound outward.
 ///
-/// The field of item i is \f$ v_i = \sum_k b_{ik} V_k \f$, with \f$ b_{ik} \sim N(0, \sigma_k^2) \f$,
-/// \f$ \sigma_k^2 \propto 1/k \f$, \f$ \sum_k \sigma_k^2 \f$ = amplitude^2 and V_k fields of the cohort;
-/// without modes it is amplitude times a field of its own. The pose is any rotation and a translation within
-/// +-200 mm in each coordinate. Item i of n does not depend on n (for modes = 0 and modes > 0 alike), nor
-/// anything on the number of threads. Throws InvalidInput for options out of range.
+/// The field of item i is \f$ v_i = \sum_k b_{ik} V_k \f$, with \f$ b_{ik} \sim N(0, \sigma_k^2) \f$, \f$
+/// \sigma_k^2 \propto 1/k \f$, \f$ \sum_k \sigma_k^2 \f$ = amplitude^2 and V_k fields of the cohort; without
+/// modes it is the amplitude times an independent field. The pose is a uniformly distributed rotation and a
+/// translation within +-200 mm in each coordinate. Item i does not depend on the number of shapes, and
+/// nothing depends on the number of threads. Throws InvalidInput for options out of range.
 std::vector<SynthShape> synth_cohort(const SynthOptions& options, const RunContext& ctx);
 
 }  // namespace foramen

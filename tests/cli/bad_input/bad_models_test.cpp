@@ -1,4 +1,4 @@
-// Models and measurements that are damaged or not what they should be.
+// Models and measurements that are damaged or have wrong contents.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ class BadModels : public ::testing::Test {
   }
   static void TearDownTestSuite() { delete folder_; }
   static fs::path good() { return folder_->file("model"); }
-  // A copy of the model with one file in another's place.
+  // A copy of the model in which one file has other contents.
   fs::path broken(const std::string& file, const std::string& bytes) const {
     const fs::path copy = scratch_.file("m");
     fs::remove_all(copy);
@@ -105,12 +105,12 @@ TEST_F(BadModels, WhoseContentIsWrong) {
                    "/model/mean: has 3 numbers instead of 12");
 }
 
-// Sixteen gigabytes of numbers in a file of a few kilobytes.
+// The file has a few kilobytes and claims to hold sixteen gigabytes of numbers.
 TEST_F(BadModels, ThatClaimMoreThanTheyHold) {
   std::string bytes = bytes_of(good() / "model.h5");
   const Outcome usual = run("sample " + good().string() + " -n 1 -o " + scratch_.file("usual").string());
   ASSERT_EQ(usual.code, 0) << usual.output;
-  // The mean's length, 3 x landmarks, as HDF5 writes it.
+  // The length of the mean, 3 x landmarks, in the bytes that HDF5 writes.
   const std::string mesh = bytes_of(good() / "mean.ply");
   const int landmarks = std::stoi(mesh.substr(mesh.find("element vertex ") + 15));
   const auto size = [](std::uint64_t n) {
@@ -162,8 +162,8 @@ TEST_F(BadModels, WhoseReportCannotBeMade) {
   const auto refused = [&](const std::string& file, const std::string& bytes, const std::string& message) {
     expect_refused("report " + broken(file, bytes).string(), file, message);
   };
-  refused("run.json", "no json", "");
-  refused("run.json", "{}", "");
+  refused("run.json", "no json", "is not JSON");
+  refused("run.json", "{}", "version is missing");
   refused("atlas.h5", "no atlas", "is no HDF5 file");
   const std::string atlas = bytes_of(good() / "atlas.h5");
   refused("atlas.h5", atlas.substr(0, atlas.size() / 2), "damaged or cut off");

@@ -1,4 +1,4 @@
-// Inputs that are not there or too few, folders that cannot be read or written, a full disk.
+// Missing inputs, too few inputs, folders that cannot be read or written, a full disk.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/mount.h>
@@ -48,7 +48,7 @@ class BadPlaces : public ::testing::Test {
     EXPECT_THAT(refused.output, HasSubstr(message));
     EXPECT_THAT(refused.output, ::testing::Not(HasSubstr("filesystem error"))) << "names no remedy";
   }
-  // As a user whom permissions bind: root reads everything.
+  // Runs the command as another user, because root may read everything.
   static std::string as_nobody(const std::string& arguments) {
     const std::string become = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
     return become + FORAMEN_PROGRAM " " + arguments;
@@ -137,7 +137,8 @@ TEST_F(BadPlaces, NamesInOptionsThatFitNothing) {
   fs::copy_file(shape(1), truth / "synth001.ply");
   expect_refused(quick(all + " --reference nobody", model),
                  "the reference nobody: no usable input has this name");
-  expect_refused(quick(all + " --subject-regex '('", model), "--subject-regex (: not a regular expression");
+  expect_refused(quick(all + " --subject-regex '('", model),
+                 "the pattern '(' of subjects is not a regular expression");
   expect_refused(quick(all + " --truth " + truth.string(), model),
                  "there is no true correspondence for the shape synth002");
   expect_refused("evaluate " + all + " --shapes " + truth.string(), "has other triangles or another number");
@@ -196,7 +197,7 @@ TEST_F(BadPlaces, WhatThePermissionsForbid) {
   fs::permissions(closed, fs::perms::owner_all);
 }
 
-// A small disk of memory, gone at the end.
+// A small disk in memory, which the destructor removes.
 class SmallDisk {
  public:
   SmallDisk(fs::path place, int kilobytes) : place_(std::move(place)) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Surfaces in good files that no model can be made of, and what the error must say of them.
+/// Surfaces that cannot be used for a model, and the text that the error must contain.
 
 #include <array>
 #include <cmath>
@@ -17,14 +17,14 @@
 
 namespace foramen::testing {
 
-/// A shape file with one thing wrong.
+/// A shape file with one defect.
 struct BadShape {
   std::string file_name, bytes, message;
 };
 
 inline void PrintTo(const BadShape& shape, std::ostream* out) { *out << shape.file_name; }
 
-/// Text that reads back as the same numbers, by a format that can hold any.
+/// The soup as OFF, a format that can hold any soup. Reading the text gives the same numbers.
 inline std::string off_text(const TriangleSoup& soup) {
   std::string text =
       "OFF\n" + std::to_string(soup.points.size()) + " " + std::to_string(soup.triangles.size()) + " 0\n";
@@ -88,7 +88,7 @@ inline TriangleSoup plate(int holes) {
   return soup;
 }
 
-/// Closed, but one-sided: a torus glued to itself the wrong way round.
+/// A closed surface that is not orientable: a torus glued to itself with the wrong orientation.
 inline TriangleSoup klein_bottle() {
   constexpr int tube = 10;
   TriangleSoup soup = ring();
@@ -134,7 +134,7 @@ inline TriangleSoup octahedron() {
   return soup;
 }
 
-/// What one change makes of the ring.
+/// The ring after one change.
 template <class Change>
 TriangleSoup changed_ring(const Change& change) {
   TriangleSoup soup = ring();
@@ -221,9 +221,9 @@ inline std::vector<std::pair<std::string, std::pair<TriangleSoup, std::string>>>
         "1 triangle uses a vertex that does not exist, or one vertex twice"}},
       {"stray_vertex",
        {changed_ring([](Soup& s) { s.points.emplace_back(1, 2, 3); }), "1 vertex belongs to no triangle"}},
-      {"metres", {scaled(ring(), 1e-3), "probably in m, give --units m"}},
-      {"centimetres", {scaled(ring(), 0.1), "probably in cm, give --units cm"}},
-      {"micrometres", {scaled(ring(), 1e3), "probably in um, give --units um"}},
+      {"metres", {scaled(ring(), 1e-3), "probably in m, give this unit (--units m)"}},
+      {"centimetres", {scaled(ring(), 0.1), "probably in cm, give this unit (--units cm)"}},
+      {"micrometres", {scaled(ring(), 1e3), "probably in um, give this unit (--units um)"}},
       {"unknown_unit", {scaled(ring(), 1e7), "a vertebra has 20 to 250 mm"}},
       {"one_place", {scaled(ring(), 0), "the bounding box has a diagonal of 0 mm"}},
       {"huge_numbers", {scaled(ring(), 1e300), "the bounding box has a diagonal of inf mm"}},
@@ -232,7 +232,7 @@ inline std::vector<std::pair<std::string, std::pair<TriangleSoup, std::string>>>
   };
 }
 
-/// Files that break their own format, and good files of unusable surfaces.
+/// Files that violate their format, and valid files of unusable surfaces.
 inline std::vector<BadShape> bad_shapes() {
   std::vector<BadShape> all;
   for (const auto& file : malformed::all_files())

@@ -1,4 +1,4 @@
-// Every shape that cannot be used is refused alone, and left out by name in a cohort.
+// A shape that cannot be used is refused if it is the only input, and left out and named in a cohort.
 #include <algorithm>
 #include <iostream>
 

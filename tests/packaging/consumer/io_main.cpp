@@ -1,4 +1,5 @@
-// The same for the module that links most: what is called here needs expat, zlib, HDF5 and nlohmann-json.
+// A program outside the project that uses the installed io module, which links most libraries: the calls
+// below need expat, zlib, HDF5 and nlohmann-json.
 #include <cstdio>
 #include <foramen/core/error.hpp>
 #include <foramen/io/mesh_file.hpp>

@@ -20,7 +20,7 @@ const choices: Record<Tab, [Colouring, string][]> = {
   ],
 };
 
-/** What the colours mean, and what is drawn beside the surface. */
+/** The controls for the meaning of the colours, and for what else is drawn. */
 export class ColourPanel {
   readonly root: HTMLElement;
   private readonly select = element('select');

@@ -16,7 +16,7 @@ import { TorusView } from './torus_view';
 const checkerCells = 320;
 const announcedAfter = 700; // milliseconds
 
-/** The model to move, turn and look into: surface, torus, controls. */
+/** The interactive views of the model: the surface, the flat torus and the controls. */
 export class Explorer {
   readonly root: HTMLElement;
   readonly store: Store;
@@ -61,7 +61,7 @@ export class Explorer {
     this.root.scrollIntoView({ block: 'start' });
   }
 
-  /** Draws what is due; sharp once the picture stands still. */
+  /** Draws what has changed, and draws it again at full resolution when it no longer changes. */
   draw(sharp = false): void {
     cancelAnimationFrame(this.frame);
     clearTimeout(this.sharpening);
@@ -91,7 +91,7 @@ export class Explorer {
     this.frame ||= requestAnimationFrame(() => this.draw());
   }
 
-  // Readers of the screen hear where a movement ended, not every step of it.
+  // Screen readers announce only the end of a movement, not every step of it.
   private announce(text: string): void {
     clearTimeout(this.announcing);
     this.announcing = window.setTimeout(() => (this.announcement.textContent = text), announcedAfter);
@@ -164,7 +164,7 @@ export class Explorer {
   }
 }
 
-// Nearly square cells, an even number each way, so that the board closes round the torus.
+// Nearly square cells, with an even number in each direction, so that the checkerboard has no seam.
 function checkerboard([[a, b], [c, d]]: [[number, number], [number, number]]): [number, number] {
   const ratio = Math.hypot(b, d) / Math.hypot(a, c);
   const even = (cells: number) => Math.max(2, 2 * Math.round(cells / 2));

@@ -3,7 +3,7 @@ import { element, labelledControl } from '../ui/element';
 import { isScalar, type Shown } from './shown';
 import type { State, Store } from './state';
 
-/** The landmark under the pointer or chosen: its number and what is known of it. */
+/** The number and the values of the landmark that is chosen or under the pointer. */
 export class LandmarkPanel {
   readonly root: HTMLElement;
   private readonly number: HTMLInputElement;

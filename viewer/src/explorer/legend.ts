@@ -3,7 +3,7 @@ import { flipColour, ramp } from './ramp';
 import type { Shown } from './shown';
 import type { State } from './state';
 
-/** What the colours on the surface mean. */
+/** The legend, which explains the colours on the surface. */
 export class Legend {
   readonly root = element('div', { class: 'legend' });
 
@@ -35,7 +35,7 @@ function scaleParts(label: string, end: number): HTMLElement[] {
   return [element('p', { class: 'legend-label' }, label), bar, element('div', { class: 'legend-ticks' }, ...ticks)];
 }
 
-// How often a round number is divided so that the parts are round, too.
+// The number of parts into which a round number is divided so that the ticks are round as well.
 function evenSteps(end: number): number {
   const first = Math.round(10 * (end / 10 ** Math.floor(Math.log10(end)))) / 10;
   return [1, 2, 4, 8].includes(first) ? 4 : [1.5, 3, 6].includes(first) ? 3 : 5;

@@ -18,7 +18,8 @@ void main() {
   gl_Position = projectionMatrix * seen;
 }`;
 
-// What does not change from frame to frame is decided when the program is compiled: software renderers draw all this, too.
+// Choices that do not change between frames are made when the shader is compiled, because software renderers execute it
+// as well.
 const fragmentShader = /* glsl */ `
 uniform float scaleEnd;
 uniform vec3 ramp[${ramp.length}];
@@ -32,7 +33,7 @@ out vec4 colour;
 
 const float pi = 3.14159265358979;
 
-// Ottosson's OKLab (2020) to sRGB.
+// Converts Ottosson's OKLab (2020) to sRGB.
 vec3 srgb(vec3 lab) {
   float x = lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z;
   float y = lab.x - 0.1055613458 * lab.y - 0.0638541728 * lab.z;
@@ -43,7 +44,7 @@ vec3 srgb(vec3 lab) {
   return mix(12.92 * linear, 1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, linear));
 }
 
-// As in the pictures that foramen makes: the torus laid about the grey axis of OKLab.
+// The torus is mapped to a torus of revolution about the grey axis of OKLab, as in the pictures that foramen makes.
 vec3 torusColour(vec2 turns) {
   float hue = 2.0 * pi * turns.x, tube = 2.0 * pi * turns.y;
   float chroma = 0.095 + 0.02 * cos(tube);
@@ -77,7 +78,8 @@ vec3 surfaceColour() {
   return c;
 }
 
-// A lamp at the upper left and a weaker one at the right; surfaces seen edge on are darker. Squares stand for the sRGB curve.
+// There is a light at the upper left and a weaker one at the right; surfaces at a grazing angle are darker. Squares
+// approximate the sRGB curve.
 vec3 lighted(vec3 base) {
   vec3 n = normalize(gl_FrontFacing ? vNormal : -vNormal);
   vec3 eye = normalize(vToEye);
@@ -99,10 +101,10 @@ void main() {
 
 const vectorOf = (colour: string) => new Vector3(...channels(colour));
 
-/** What is coloured: distances and the like, or all in the colour of flipped triangles. */
+/** The colouring of a material: one that the user chose, or the colour of flipped triangles. */
 export type Painting = Colouring | 'flips';
 
-// Of COLOURS in the shader.
+// The values of COLOURS in the shader.
 const kinds: Record<Painting, number> = {
   plain: 0,
   displacement: 1,
@@ -114,7 +116,7 @@ const kinds: Record<Painting, number> = {
   flips: 4,
 };
 
-/** The material of all surfaces: lit in space, flat on the torus. */
+/** The material of all surfaces. It is lit in space and unlit on the torus. */
 export class SurfaceMaterial extends ShaderMaterial {
   constructor(light: 'lit' | 'flat', cells: [number, number]) {
     super({
@@ -131,7 +133,7 @@ export class SurfaceMaterial extends ShaderMaterial {
     });
   }
 
-  /** `bothSides`: some triangles show their inner side. */
+  /** `bothSides` must be set if the inner side of triangles can be visible. */
   paint(painting: Painting, scaleEnd: number, bothSides: boolean): void {
     this.uniforms.scaleEnd.value = scaleEnd;
     const side = bothSides ? DoubleSide : FrontSide;
@@ -141,7 +143,7 @@ export class SurfaceMaterial extends ShaderMaterial {
     this.needsUpdate = true;
   }
 
-  /** Moves the surface behind what is drawn on it. */
+  /** Moves the surface back in depth, behind the marks and edges that are drawn on it. */
   behind(steps: number): this {
     this.polygonOffset = steps > 0;
     this.polygonOffsetFactor = this.polygonOffsetUnits = steps;

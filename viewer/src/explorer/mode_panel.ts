@@ -120,7 +120,7 @@ export class ModePanel {
     });
   }
 
-  // Swings one mode to and fro until something else is chosen.
+  // Animates one mode, from end to end, until the user makes another choice.
   private play(mode: number | null): void {
     if (this.playing === mode) return;
     if (this.playing !== null) this.rows[this.playing].play.setAttribute('aria-pressed', 'false');
@@ -142,7 +142,7 @@ export class ModePanel {
   }
 }
 
-// Box and Muller; drawn anew beyond the ends of the sliders.
+// A normal random number by Box and Muller. It is drawn again if it is beyond the ends of the sliders.
 function normalScore(): number {
   for (;;) {
     const score = Math.sqrt(-2 * Math.log(1 - Math.random())) * Math.cos(2 * Math.PI * Math.random());

@@ -8,7 +8,10 @@ const zoomPerKey = 1.15;
 const zoomLimits = [0.4, 8] as const;
 const turnMilliseconds = 350;
 
-/** The eye around the model: turned by dragging, arrow keys or to named views; zoomed by wheel, pinch or + and -. */
+/**
+ * The position of the camera around the model. Dragging, arrow keys and named views turn it; the wheel, pinching, + and
+ * - zoom.
+ */
 export class Orbit {
   private readonly attitude = new Quaternion();
   private readonly offset = new Vector3();
@@ -38,12 +41,12 @@ export class Orbit {
     return this.pointers.size > 0;
   }
 
-  /** Puts a camera where the eye is, so that the model fills a picture of this aspect. */
+  /** Sets a camera to this position, so that the model fills a picture with this aspect ratio. */
   place(camera: PerspectiveCamera, aspect: number): void {
     camera.aspect = aspect;
     const half = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, aspect));
     const distance = this.radius / Math.sin(half);
-    camera.zoom = this.zoom; // the eye stays outside
+    camera.zoom = this.zoom; // zooming does not move the camera into the model
     camera.near = distance / 20;
     camera.far = distance + 4 * this.radius;
     camera.quaternion.copy(this.attitude);
@@ -99,7 +102,7 @@ export class Orbit {
   }
 
   private wheel(e: WheelEvent): void {
-    // Without focus the wheel belongs to the page.
+    // Without focus, the wheel scrolls the page.
     if (document.activeElement !== this.element && !e.ctrlKey) return;
     e.preventDefault();
     this.zoomBy(Math.exp(-e.deltaY * zoomPerWheelPixel));

@@ -2,7 +2,7 @@ import type { Report, Shape } from '../model/report';
 import { element, labelledControl } from '../ui/element';
 import type { State, Store } from './state';
 
-/** Which training shape is shown, and by how many modes the model fits it. */
+/** The controls for the training shape that is shown, and for the number of modes of its fit. */
 export class ShapePanel {
   readonly root: HTMLElement;
   private readonly select: HTMLSelectElement;

@@ -1,14 +1,15 @@
-// Pixels drawn per pixel of the page and side: more than one smooths edges. Slow machines draw fewer while things move.
+// The ratio of drawn pixels to pixels of the page, along one side. A ratio above 1 smooths edges. On slow machines it
+// is smaller while the view moves.
 const levels = [0.7, 1, 1.4, 2];
 const best = levels.length - 1;
 const slowFrame = 30,
   fastFrame = 20; // milliseconds
 const slowFramesToTell = 3,
   fastFramesToTell = 30;
-/** A picture that has not changed for so long is drawn again, at its sharpest [ms]. */
+/** A picture that has not changed for this time [ms] is drawn again with the highest ratio. */
 export const stillAfter = 200;
 
-/** How sharp the next frame is to be drawn, by how long the last ones took. */
+/** Chooses the ratio for the next frame from the time that the last frames took. */
 export class Sharpness {
   private level = 1;
   private last = -Infinity;
@@ -19,7 +20,7 @@ export class Sharpness {
     return levels[best];
   }
 
-  /** The ratio for a frame in motion at this time [ms]. */
+  /** The ratio for a frame at this time [ms] while the view moves. */
   inMotion(now: number): number {
     const taken = now - this.last;
     this.last = now;

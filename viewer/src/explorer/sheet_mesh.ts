@@ -12,7 +12,7 @@ import {
 import { spread, type Sheet } from '../model/sheet';
 import { SurfaceMaterial } from './material';
 
-/** How surfaces, their marked triangles and their edges are drawn. */
+/** The materials of surfaces, of marked triangles and of edges. */
 export interface SheetMaterials {
   surface: SurfaceMaterial;
   marks: SurfaceMaterial;
@@ -20,7 +20,7 @@ export interface SheetMaterials {
 }
 
 export function sheetMaterials(light: 'lit' | 'flat', cells: [number, number]): SheetMaterials {
-  const marks = new SurfaceMaterial('flat', cells).behind(1); // seen from both sides, so that light on it tells nothing
+  const marks = new SurfaceMaterial('flat', cells).behind(1); // unlit, because they are visible from both sides
   marks.paint('flips', 1, true);
   return {
     surface: new SurfaceMaterial(light, cells).behind(2),
@@ -29,13 +29,16 @@ export function sheetMaterials(light: 'lit' | 'flat', cells: [number, number]): 
   };
 }
 
-/** A surface of the model on its sheet: coloured by values of its landmarks, some triangles marked, its edges drawn if wanted. */
+/**
+ * A surface of the model on its sheet, coloured by the values of its landmarks, with marked triangles, and with edges
+ * if requested.
+ */
 export class SheetMesh extends Group {
   private readonly value: BufferAttribute;
   private readonly marked: Mesh;
   private readonly edges: LineSegments;
 
-  /** `normals` are needed where the material is lit. */
+  /** `normals` are needed if the material is lit. */
   constructor(
     private readonly sheet: Sheet,
     materials: SheetMaterials,
@@ -60,7 +63,7 @@ export class SheetMesh extends Group {
     this.add(new Mesh(geometryOf(sheet.corners), materials.surface), this.marked, this.edges);
   }
 
-  /** `values` per landmark; null: 0 on all. `marked` are triangles of the sheet. */
+  /** `values` has one value per landmark; null means 0 for all. `marked` are triangles of the sheet. */
   show(values: Float32Array | null, marked: number[], edges: boolean): void {
     const target = this.value.array as Float32Array;
     if (values) spread(target, 1, values, this.sheet.landmarks);
@@ -73,7 +76,7 @@ export class SheetMesh extends Group {
   }
 }
 
-// Each once.
+// Each edge is drawn once.
 function edgesOf(corners: Uint32Array): Uint32Array {
   const edges = new Map<string, [number, number]>();
   for (let i = 0; i < corners.length; ++i) {

@@ -7,19 +7,19 @@ import type { Colouring, State } from './state';
 export interface ShownSurface {
   title: string;
   points: Float32Array;
-  /** Per landmark, mm; null where the colours are no distances. */
+  /** One distance per landmark [mm]; null if the colours do not show distances. */
   values: Float32Array | null;
   flipped: number[];
 }
 
-/** What the colours stand for. */
+/** The meaning of the colours. */
 export interface Scale {
   label: string;
-  /** The value of the last colour, mm. */
+  /** The value of the last colour [mm]. */
   end: number;
 }
 
-/** What the state means: one surface, or a training shape and the model's fit of it. */
+/** What is to be shown for a state: one surface, or a training shape and the model's fit of it. */
 export interface Shown {
   surfaces: ShownSurface[];
   colouring: Colouring;
@@ -27,7 +27,7 @@ export interface Shown {
   status: string;
 }
 
-/** Makes Shown of State; keeps what does not change. */
+/** Computes Shown from State, and keeps results that do not change. */
 export class Exhibitor {
   private readonly meanVectors: Float32Array;
   private readonly strengths: Float32Array[];

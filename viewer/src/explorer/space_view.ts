@@ -11,10 +11,10 @@ import { sheetMaterials, type SheetMaterials } from './sheet_mesh';
 import { SurfaceMesh } from './surface_mesh';
 
 const fieldOfView = 26;
-// A press that moves less is a click.
+// A press that moves less than this is a click.
 const clickPixels = 4;
 
-/** The surfaces in space: one, or two beside each other seen from the same side. */
+/** The surfaces in space: one surface, or two beside each other, seen from the same side. */
 export class SpaceView {
   readonly root = element('div', { class: 'space' });
   private readonly canvas = element('canvas', {
@@ -99,7 +99,7 @@ export class SpaceView {
     return { width: Math.max(1, this.root.clientWidth), height: Math.max(1, this.root.clientHeight) };
   }
 
-  // A new size empties the canvas, after the frame's own drawing: drawn at once, no frame is empty.
+  // A new size clears the canvas, after this frame has been drawn. Drawing again immediately avoids an empty frame.
   private resize(): void {
     const { width, height } = this.size();
     this.renderer.setSize(width, height, false);
@@ -153,7 +153,7 @@ export class SpaceView {
   }
 }
 
-// Around all points, about the middle of their bounding box.
+// A sphere around all points, centred at the middle of their bounding box.
 function ballOf(points: Float32Array): [Vector3, number] {
   const all = new BufferAttribute(points, 3);
   const middle = new Box3().setFromBufferAttribute(all).getCenter(new Vector3());

@@ -2,24 +2,24 @@ import type { Report } from '../model/report';
 
 export type Tab = 'modes' | 'shapes';
 
-/** What the colours of the surface mean. */
+/** The meaning of the colours of the surface. */
 export type Colouring = 'plain' | 'displacement' | 'strength' | 'error' | 'fit' | 'torus' | 'checkerboard';
 
 export interface State {
   tab: Tab;
-  /** Of the sliders, in standard deviations. */
+  /** The scores of the sliders, in standard deviations. */
   scores: number[];
   /** The training shape that is shown, and the number of modes of the fit beside it. */
   shape: number;
   fitModes: number;
-  /** Each tab keeps its own. */
+  /** Each tab has its own colouring. */
   colouring: Record<Tab, Colouring>;
-  /** Whose strength is coloured, and named in the control. */
+  /** The mode whose strength is shown by colours and which the control names. */
   strengthMode: number;
   loops: boolean;
   edges: boolean;
   flips: boolean;
-  /** Marked in both views. `pinned` stays when the pointer leaves. */
+  /** The landmark that is marked in both views. If `pinned`, the mark stays when the pointer leaves. */
   pinned: number | null;
   hovered: number | null;
 }
@@ -40,7 +40,7 @@ export function initialState(report: Report): State {
   };
 }
 
-/** The one place where the explorer's state is kept and changed. */
+/** Holds the state of the explorer. All changes of the state are made here. */
 export class Store {
   private readonly listeners: ((state: State, changed: Set<keyof State>) => void)[] = [];
 

@@ -11,7 +11,7 @@ import { SheetMesh, type SheetMaterials } from './sheet_mesh';
 import type { ShownSurface } from './shown';
 
 const loopPixels = 3.5;
-// Loops stand this far off the surface, so that they do not sink into its facets [mm].
+// Loops are drawn at this distance [mm] outside the surface, so that its facets do not hide them.
 const loopLift = 0.25;
 
 /** A surface of the model in space, with its loops. */

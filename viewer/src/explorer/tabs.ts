@@ -6,7 +6,7 @@ interface TabPage<Key extends string> {
   body: HTMLElement;
 }
 
-/** A row of tabs and their pages; arrow keys go from tab to tab. `follow` tells of changes from elsewhere. */
+/** A row of tabs and their pages. Arrow keys change the tab. `follow` is given a listener for tabs chosen elsewhere. */
 export function tabs<Key extends string>(
   pages: TabPage<Key>[],
   chosen: (key: Key) => void,

@@ -1,10 +1,10 @@
 import type { Torus } from '../model/torus';
 
-/** The domain of the torus laid in a picture: its longer period across, y upward. */
+/** The placement of the torus domain in a picture: its longer period is horizontal, and y is upward. */
 export class TorusLayout {
   private readonly cosine: number;
   private readonly sine: number;
-  /** Of the parallelogram, in order around it. */
+  /** The corners of the parallelogram, in order around it. */
   readonly corners: [number, number][];
   readonly low: [number, number];
   readonly high: [number, number];
@@ -32,7 +32,7 @@ export class TorusLayout {
   }
 }
 
-/** The triangles with whole turns added so often that together they cover the domain. */
+/** Copies of the triangles, translated by whole turns, which together cover the domain. */
 export function copiesOverDomain(cornerTurns: Float32Array): { triangles: Uint32Array; turns: Float32Array } {
   const triangles: number[] = [],
     turns: number[] = [];

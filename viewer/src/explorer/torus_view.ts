@@ -10,10 +10,10 @@ import type { Shown } from './shown';
 import type { State, Store } from './state';
 import { copiesOverDomain, TorusLayout } from './torus_layout';
 
-// Of the picture's larger side, on each side of the domain.
+// The margin on each side of the domain, as a share of the picture's larger side.
 const margin = 0.015;
 
-/** The flat torus: the surface of the model spread out, in the same colours. */
+/** The flat torus: the map of the model's surface, in the same colours. */
 export class TorusView {
   readonly root = element('div', { class: 'torus' });
   private readonly canvas = element('canvas', {
@@ -26,10 +26,10 @@ export class TorusView {
   private readonly scene = new Scene();
   private readonly camera: OrthographicCamera;
   private readonly layout: TorusLayout;
-  // Of each triangle of the model, those of the sheet.
+  // For each triangle of the model, its copies in the sheet.
   private readonly copiesOf = new Map<number, number[]>();
   private readonly loops: SVGElement;
-  // What the mesh shows, and how sharp it was drawn: 0 if not yet.
+  // What the mesh shows, and the pixel ratio with which it was drawn; 0 if it has not been drawn.
   private content: unknown[] = [];
   private drawnAt = 0;
   private readonly mark = svg('circle', { class: 'torus-mark', r: 0.014 });
@@ -122,7 +122,7 @@ export class TorusView {
     this.mark.setAttribute('cy', String(y));
   }
 
-  /** Only what is new, or was less sharp before. */
+  /** Draws only what is new or was drawn with a lower pixel ratio. */
   draw(pixelRatio: number): void {
     if (this.drawnAt >= pixelRatio) return;
     this.drawnAt = pixelRatio;
@@ -130,7 +130,7 @@ export class TorusView {
     this.renderer.render(this.scene, this.camera);
   }
 
-  // At once, as in SpaceView.
+  // Drawn immediately, as in SpaceView.
   private resize(): void {
     this.drawnAt = 0;
     this.renderer.setSize(Math.max(1, this.root.clientWidth), Math.max(1, this.root.clientHeight), false);
@@ -138,12 +138,12 @@ export class TorusView {
     this.redraw();
   }
 
-  // y downward, from the corner of the box.
+  // The place with y downward, from the corner of the box.
   private inPicture([x, y]: [number, number]): [number, number] {
     return [x - this.box.x, this.box.height - (y - this.box.y)];
   }
 
-  // The closed curve once in every copy of the domain around; what lies outside is clipped.
+  // The closed curve is drawn in each neighbouring copy of the domain, and clipped to the domain.
   private loopPath(loop: Loop, colour: string): SVGElement {
     const { cornerTurns } = this.report.torus;
     const turns = loop.along(2, (triangle, corner, c) => cornerTurns[2 * (3 * triangle + corner) + c]);

@@ -16,7 +16,10 @@ function bytesOf(base64: string): ArrayBuffer {
   return bytes.buffer;
 }
 
-/** The numbers of an encoded array. Throws if it is of another type than expected, or its size is not that of its shape. */
+/**
+ * The numbers of an encoded array. Throws if the array does not have the expected type, or if its size does not fit its
+ * shape.
+ */
 export function decoded<T extends keyof Arrays>(array: EncodedArray, type: T): Arrays[T] {
   if (array.type !== type) throw new Error(`an array of ${array.type} stands where ${type} was expected`);
   const buffer = bytesOf(array.base64);

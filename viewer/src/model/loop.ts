@@ -15,7 +15,10 @@ export class Loop {
     return this.triangles.length;
   }
 
-  /** The curve where corners of triangles have these values, `size` numbers a corner. Point i at size * i. */
+  /**
+   * The values along the curve, for values at the landmarks with `size` numbers each. Those of point i begin at size *
+   * i.
+   */
   along(size: number, valueOf: (triangle: number, corner: number, component: number) => number): Float32Array {
     const curve = new Float32Array(size * this.length);
     for (let i = 0; i < this.length; ++i)

@@ -1,4 +1,4 @@
-/** A shape as a binary PLY file, millimetres, with the coordinate system as foramen tags it. */
+/** A shape as a binary PLY file, in millimetres, with foramen's SPACE tag for the axes. */
 export function plyOf(points: Float32Array, triangles: Uint32Array, space: string): Blob {
   const header =
     `ply\nformat binary_little_endian 1.0\ncomment SPACE=${space}\nelement vertex ${points.length / 3}\n` +

@@ -6,13 +6,13 @@ import { Torus } from './torus';
 
 /** A training shape with its numbers decoded. */
 export interface Shape extends Omit<TrainingShape, 'error' | 'plain_flips' | 'confirmed_flips'> {
-  /** Of each landmark: the largest distance between the landmarks' surface and the input around it, mm. */
+  /** For each landmark, the largest distance [mm] between corresponding mesh and input around it. */
   errors: Float32Array;
   plainFlips: number[];
   confirmedFlips: number[];
 }
 
-/** A report's data in the form that the page works with. */
+/** The decoded data of a report. */
 export class Report {
   readonly model: ShapeModel;
   readonly torus: Torus;

@@ -83,7 +83,9 @@ export interface ReportData {
   papers: Table;
 }
 
-/** Parses the text of the page's data. Throws if it is none, or of another version of the format. */
+/**
+ * Parses the text of the page's data. Throws if the text is not a report's data, or has another version of the format.
+ */
 export function parseReportData(text: string): ReportData {
   const data = JSON.parse(text) as ReportData;
   if (data.format !== 'foramen-report') throw new Error('the page holds no data of a report');

@@ -1,11 +1,13 @@
 import { decoded } from './encoded_array';
 import type { ReportData } from './report_data';
 
-/** x = mean + sum of score * mode, a mode being the displacements by one standard deviation. All lengths in mm. */
+/**
+ * The model x = mean + sum of score * mode. A mode is the displacement by one standard deviation. Lengths are in mm.
+ */
 export class ShapeModel {
   readonly landmarks: number;
   readonly modes: number;
-  /** Modes that the model has beyond those in the page. */
+  /** The number of modes of the model that are not in the page. */
   readonly modesLeftOut: number;
   readonly varianceShares: number[];
   readonly mean: Float32Array;
@@ -24,7 +26,7 @@ export class ShapeModel {
     this.displacements = Array.from({ length: this.modes }, (_, m) => all.subarray(m * size, (m + 1) * size));
   }
 
-  /** The landmarks of these scores (in standard deviations) on the first modes; x y z of each. */
+  /** The landmarks (x y z each) of the shape with these scores of the first modes, in standard deviations. */
   shapeOf(scores: ArrayLike<number>, modes = this.modes): Float32Array {
     const shape = this.mean.slice();
     for (let m = 0; m < Math.min(modes, scores.length); ++m) {
@@ -36,14 +38,14 @@ export class ShapeModel {
     return shape;
   }
 
-  /** How far one standard deviation of a mode moves each landmark. */
+  /** The distance by which one standard deviation of a mode moves each landmark. */
   strengthOf(mode: number): Float32Array {
     const d = this.displacements[mode];
     return Float32Array.from({ length: this.landmarks }, (_, i) => Math.hypot(d[3 * i], d[3 * i + 1], d[3 * i + 2]));
   }
 }
 
-/** Distance of each landmark of one shape to the same of another. */
+/** The distance of each landmark of one shape to the same landmark of another. */
 export function landmarkDistances(a: Float32Array, b: Float32Array): Float32Array {
   const distances = new Float32Array(a.length / 3);
   for (let i = 0; i < distances.length; ++i)
@@ -51,7 +53,7 @@ export function landmarkDistances(a: Float32Array, b: Float32Array): Float32Arra
   return distances;
 }
 
-/** 0 if there are none. */
+/** The largest value; 0 if there are none. */
 export function largest(values: ArrayLike<number>): number {
   let most = values.length > 0 ? -Infinity : 0;
   for (let i = 0; i < values.length; ++i) most = Math.max(most, values[i]);

@@ -1,14 +1,20 @@
-/** The surface as vertices on the torus: a landmark stands once for each whole turn at which triangles meet it. */
+/**
+ * The surface as vertices on the torus. A landmark has one vertex for each of its translates by whole turns that a
+ * triangle uses.
+ */
 export interface Sheet {
   /** The landmark of each vertex. */
   landmarks: Uint32Array;
-  /** Of each vertex. */
+  /** The torus position of each vertex. */
   turns: Float32Array;
   /** Corners of the triangles. */
   corners: Uint32Array;
 }
 
-/** Corners of one landmark at one place become one vertex. `turnsOf` are the landmarks' own. */
+/**
+ * Corners of triangles with the same landmark and the same place become one vertex. `turnsOf` has the positions of the
+ * landmarks.
+ */
 export function sheetOf(cornerLandmarks: Uint32Array, cornerTurns: Float32Array, turnsOf: Float32Array): Sheet {
   const vertices = new Map<string, number>(),
     landmarks: number[] = [],
@@ -29,7 +35,7 @@ export function sheetOf(cornerLandmarks: Uint32Array, cornerTurns: Float32Array,
   return { landmarks: Uint32Array.from(landmarks), turns: Float32Array.from(turns), corners };
 }
 
-/** The numbers of each vertex from those of its landmark, `size` numbers each. */
+/** Copies the numbers of each landmark, `size` each, to its vertices. */
 export function spread(target: Float32Array, size: number, values: Float32Array, landmarks: Uint32Array): void {
   for (let i = 0; i < landmarks.length; ++i)
     for (let c = 0; c < size; ++c) target[size * i + c] = values[size * landmarks[i] + c];

@@ -1,4 +1,4 @@
-// Plain geometry of a triangle surface: points x y z ..., corners of triangles a b c ....
+// Geometry of triangle surfaces. Points are given as x y z ..., triangles by their corners a b c ....
 
 /** Area vectors (normal times twice the area) of the triangles. */
 export function areaVectors(points: Float32Array, triangles: Uint32Array): Float32Array {
@@ -20,7 +20,7 @@ export function areaVectors(points: Float32Array, triangles: Uint32Array): Float
   return vectors;
 }
 
-/** Unit normals at the points, triangles weighted by their area. */
+/** Unit normals at the points: means of the normals of the triangles, weighted by area. */
 export function pointNormals(pointCount: number, triangles: Uint32Array, vectors: Float32Array): Float32Array {
   const normals = new Float32Array(3 * pointCount);
   for (let t = 0; t < triangles.length; t += 3)
@@ -39,7 +39,7 @@ export function pointNormals(pointCount: number, triangles: Uint32Array, vectors
   return normals;
 }
 
-/** Triangles whose normal opposes that of the same triangle elsewhere. */
+/** The triangles whose normal opposes that of the same triangle of another shape. */
 export function opposing(vectors: Float32Array, others: Float32Array): number[] {
   const found: number[] = [];
   for (let t = 0; t < vectors.length; t += 3)
@@ -49,7 +49,7 @@ export function opposing(vectors: Float32Array, others: Float32Array): number[] 
 
 export interface SurfaceHit {
   triangle: number;
-  /** Along the ray, in lengths of its direction. */
+  /** The distance along the ray, in lengths of its direction vector. */
   at: number;
   /** The corner of the triangle that is nearest in barycentric coordinates. */
   landmark: number;

@@ -6,7 +6,10 @@ export class Torus {
   readonly turns: Float32Array;
   /** Columns are the two periods in the plane; the area of the domain is 1. */
   readonly lattice: ReportData['torus']['lattice'];
-  /** Of each corner of each triangle, the corners of one triangle beside each other. */
+  /**
+   * The turns of each corner of each triangle, with whole turns added so that the corners of a triangle are close
+   * together.
+   */
   readonly cornerTurns: Float32Array;
 
   constructor(data: ReportData['torus'], triangles: Uint32Array) {
@@ -26,7 +29,7 @@ export class Torus {
     return [(d * x - b * y) / determinant, (a * y - c * x) / determinant];
   }
 
-  /** The landmark closest in the plane, across the borders of the domain too. */
+  /** The landmark that is closest in the plane, also across the borders of the domain. */
   nearestLandmark(u: number, v: number): number {
     let best = -1,
       least = Infinity;
@@ -41,12 +44,12 @@ export class Torus {
   }
 }
 
-/** The same difference on the circle, between -1/2 and 1/2. */
+/** The difference of two places on the circle, reduced to -1/2 .. 1/2 by whole turns. */
 function toNearestTurn(difference: number): number {
   return difference - Math.round(difference);
 }
 
-// jumps of corner k of a triangle: whole turns of its edge to the next corner.
+// `jumps` has, for corner k of a triangle, the whole turns of its edge to the next corner.
 function continuedCorners(turns: Float32Array, jumps: Int8Array, triangles: Uint32Array): Float32Array {
   const corners = new Float32Array(2 * triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {

@@ -3,7 +3,7 @@ import { element } from '../ui/element';
 import { paragraph, section } from '../ui/section';
 import { tableElement } from '../ui/table';
 
-/** By what the model was made, from what, and on which papers it rests. */
+/** The origin of the model: program, command, options, inputs and papers. */
 export function provenance(data: ReportData, dataBytes: number): HTMLElement {
   const papers = data.papers.rows.map(([citation, usedFor]) =>
     element('li', {}, citation, element('small', {}, usedFor)),

@@ -5,10 +5,10 @@ import { onWidth, paragraph, section } from '../ui/section';
 import { tableElement } from '../ui/table';
 
 const height = 230;
-// Keeps the error bars of two curves apart.
+// Shifts the error bars of two curves so that they do not overlap.
 const barShift = 4;
 
-/** Curves of all measures against the number of modes, with the baseline's where there is one. */
+/** The curves of all measures over the number of modes, with those of the baseline if there is one. */
 export function quality(data: ReportData): HTMLElement {
   const names = data.charts[0]?.series.map((s) => s.name) ?? [];
   const legend =

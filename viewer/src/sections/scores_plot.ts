@@ -10,7 +10,7 @@ const letterPixels = 6.6;
 const rings = [1, 2, 3];
 const widest = 560;
 
-/** The training shapes by their scores on two modes, with their names; a click shows one. */
+/** A plot of the training shapes by their scores on two modes, with names. A click shows the shape. */
 export function scoresPlot(report: Report, showShape: (shape: number) => void): HTMLElement {
   const { model, shapes } = report;
   const select = (chosen: number) =>

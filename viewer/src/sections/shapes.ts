@@ -4,7 +4,7 @@ import { section } from '../ui/section';
 import { tableElement } from '../ui/table';
 import { scoresPlot } from './scores_plot';
 
-/** Where the training shapes lie in the model and how well each is represented; names and points lead to the shape. */
+/** The scores and the representation errors of the training shapes. A click on a name or point shows the shape. */
 export function shapes(report: Report, showShape: (shape: number) => void): HTMLElement {
   const link = (name: string) => {
     const shape = report.shapes.findIndex((s) => s.name === name);

@@ -3,7 +3,7 @@ import { element } from '../ui/element';
 import { paragraph, section } from '../ui/section';
 import { tableElement } from '../ui/table';
 
-/** What the model is in plain words, its first figures, and what was left out and why. */
+/** The summary in plain words, the main results, and the inputs that were left out, with the reasons. */
 export function summary(data: ReportData): HTMLElement {
   const statements = data.plain_words.map(({ heading, text }) =>
     element('div', { class: 'statement' }, element('h3', {}, heading), paragraph(text)),

@@ -7,7 +7,7 @@ type Properties<K extends keyof HTMLElementTagNameMap> = Partial<
   data?: Record<string, string>;
 };
 
-/** An HTML element with its properties and children. Text is text, never markup. */
+/** Makes an HTML element with properties and children. Text is never interpreted as markup. */
 export function element<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   properties: Properties<K> = {},
@@ -26,7 +26,7 @@ export function element<K extends keyof HTMLElementTagNameMap>(
 
 let labelled = 0;
 
-/** A control and its label, tied together. */
+/** A control with its associated label. */
 export function labelledControl(text: string, control: HTMLElement): [HTMLLabelElement, HTMLElement] {
   control.id ||= `control-${++labelled}`;
   return [element('label', { htmlFor: control.id }, text), control];

@@ -27,7 +27,10 @@ const choices: LabelPlace[] = [
   { dx: 3 - gap, dy: 0, textAnchor: 'end' },
 ];
 
-/** Above, below, right or left of each point: the first place that meets no label placed before and no point, if there is one. */
+/**
+ * Places each label above, below, right or left of its point: at the first place where it overlaps no point and no
+ * label placed before, if there is one.
+ */
 export function placeLabels(points: LabelledPoint[]): LabelPlace[] {
   const taken: Box[] = points.map((p) => ({ x: p.x - 4, y: p.y - 4, width: 8, height: 8 }));
   return points.map((point, i) => {

@@ -1,4 +1,4 @@
-/** What is folded away on a screen is printed. */
+/** Expands collapsed sections for printing. */
 export function openDetailsInPrint(): void {
   let folded: HTMLDetailsElement[] = [];
   addEventListener('beforeprint', () => {

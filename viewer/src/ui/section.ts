@@ -1,6 +1,6 @@
 import { element } from './element';
 
-/** A titled part of the page. */
+/** A section of the page with a title. */
 export function section(id: string, title: string, ...children: (Node | string)[]): HTMLElement {
   return element(
     'section',
@@ -14,7 +14,7 @@ export function paragraph(text: string, className = ''): HTMLElement {
   return element('p', { class: className }, text);
 }
 
-/** Calls `draw` with the width of the element, now and whenever it changes. */
+/** Calls `draw` with the width of the element, now and after every change of the width. */
 export function onWidth(target: HTMLElement, draw: (width: number) => void): void {
   let last = 0;
   new ResizeObserver(() => {

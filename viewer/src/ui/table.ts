@@ -1,19 +1,19 @@
 import type { Table } from '../model/report_data';
 import { element } from './element';
 
-// Cells longer than this are prose, not figures.
+// Longer cells are treated as prose, not as figures.
 const proseLength = 40;
 const figure = /^([-−+]?[\d.].*|-|)$/;
 const isProse = (text: string) => text.length > proseLength;
 
-/** What a column holds, which decides how it is set. */
+/** The CSS class of a column, by its contents. */
 function columnClass(table: Table, column: number): string {
   const cells = table.rows.map((row) => row[column] ?? '');
   if (cells.some(isProse)) return 'prose';
   return cells.some((text) => !figure.test(text)) ? 'words' : '';
 }
 
-/** A table of the report. `first` may make the first cell of a row something else than text. */
+/** A table of the report. `first` may replace the text in the first cell of a row by an element. */
 export function tableElement(table: Table, first?: (text: string, row: number) => Node | string): HTMLElement {
   const classes = table.header.map((_, column) => columnClass(table, column));
   const head = element(

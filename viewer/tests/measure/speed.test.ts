@@ -1,4 +1,4 @@
-// How fast a report is: REPORT=model/report.html npm run measure. Timings, so no part of the test suite.
+// Measures the speed of a report: REPORT=model/report.html npm run measure. It is not a part of the test suite.
 import { statSync } from 'node:fs';
 import { resolve } from 'node:path';
 import type { Browser } from 'playwright-core';
@@ -37,7 +37,7 @@ it.each(['strength', 'displacement'])(
       const slider = document.querySelector<HTMLInputElement>('.modes input[type=range]')!;
       const frame = () => new Promise((next) => requestAnimationFrame(next));
       let frames = 0;
-      // The browser gives the next frame when it has shown the last, so that these are frames seen.
+      // The browser requests the next frame after it has shown the last one, so only visible frames are counted.
       const moveFor = async (milliseconds: number) => {
         const begun = performance.now();
         for (frames = 0; performance.now() - begun < milliseconds; ++frames) {

@@ -1,4 +1,4 @@
-// What the page shows is what the program computes.
+// The page shows the same numbers as the program computes.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
@@ -76,7 +76,7 @@ it('saves the triangles that the program writes', async () => {
   expect(facesOf(ours)).toBe(facesOf(theirs));
 });
 
-// Between points of a shape in the file's own pose; no motion changes them.
+// Distances between points of a shape, which do not depend on its pose.
 function distances(points: Float32Array): number[] {
   const count = points.length / 3;
   return Array.from({ length: 500 }, (_, i) => {

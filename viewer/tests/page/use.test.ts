@@ -1,4 +1,4 @@
-// The page in the hands of people: keyboard, pointer, screens, schemes, paper, and no WebGL.
+// Using the page: keyboard, pointer, sizes of screens, colour schemes, printing, and no WebGL.
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
@@ -84,7 +84,7 @@ describe('by pointer', () => {
       await page.getByRole('button', { name: 'Back' }).click();
       await page.waitForTimeout(600);
       const landmark = page.getByRole('spinbutton', { name: 'Landmark' });
-      // The middle may be the canal; some point of the grid meets bone.
+      // The middle may be in the canal, so several points are tried until one hits the bone.
       let found: { x: number; y: number } | null = null;
       for (let i = 1; i < 10 && !found; ++i) {
         const at = { x: stage.x + stage.width * (0.3 + 0.04 * i), y: stage.y + stage.height * 0.5 };
@@ -98,11 +98,11 @@ describe('by pointer', () => {
       await settle(page);
       const pinned = await landmark.inputValue();
       expect(pinned).not.toBe('');
-      // The nearest of 400 landmarks, whose edges are about 60 pixels long here.
+      // The nearest of 400 landmarks. Edges are about 60 pixels long here.
       const mark = (await page.locator('.mark').first().boundingBox())!;
       expect(Math.hypot(mark.x + mark.width / 2 - found!.x, mark.y + mark.height / 2 - found!.y)).toBeLessThan(60);
 
-      // Where it is marked on the torus, the torus finds it again.
+      // Pointing at its mark on the torus must select the same landmark.
       const spot = (await page.locator('.torus-mark').boundingBox())!;
       await page.mouse.move(torus.x + 3, torus.y + torus.height / 2);
       await page.mouse.move(spot.x + spot.width / 2, spot.y + spot.height / 2);
@@ -198,7 +198,8 @@ describe.each(['wide', 'phone'] as const)('on a %s screen', (screen) => {
   );
 });
 
-// Watched from an observer made after those of the page, which the browser therefore calls after them: what it sees is shown.
+// The sizes are read in an observer that is created after those of the page. The browser calls it after them, so it
+// sees what is shown.
 const watchFrames = () => {
   const seen = { frames: 0, empty: 0 };
   Object.assign(window, { seen });
@@ -221,7 +222,7 @@ it('shows no empty frame while the window changes its size', () =>
     for (const width of [1300, 1000, 700, 1200]) {
       const { frames } = await seen();
       await page.setViewportSize({ width, height: 800 });
-      // A slow machine shows both canvases later, not at once: every size is waited for.
+      // On a slow machine the two canvases may change one after the other, so the test waits for every size.
       await page.waitForFunction(
         (before) => (window as unknown as { seen: { frames: number } }).seen.frames > before,
         frames,

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium, type Browser, type BrowserContextOptions, type Page } from 'playwright-core';
 
-// WebGL in software, as on every machine without graphics hardware.
+// WebGL runs in software, as on every machine without graphics hardware.
 const software = ['--no-sandbox', '--enable-unsafe-swiftshader'];
 const noGraphics = ['--no-sandbox', '--disable-gpu', '--disable-software-rasterizer', '--disable-3d-apis'];
 
@@ -36,7 +36,7 @@ export async function open(
   const complaints: string[] = [];
   const address = pathToFileURL(file).href;
   page.on('console', (message) => {
-    // What the software renderer says of reading back is no fault of the page.
+    // The warnings of the software renderer about reading pixels are not errors of the page.
     if (['error', 'warning'].includes(message.type()) && !message.text().includes('GPU stall due to ReadPixels'))
       complaints.push(message.text());
   });
@@ -55,13 +55,13 @@ export async function openDrawn(browser: Browser, file: string, options?: Browse
   return opened;
 }
 
-/** Until everything that was due is drawn and stands still. */
+/** Waits until everything has been drawn and no longer changes. */
 export async function settle(page: Page): Promise<void> {
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   await page.waitForSelector('html[data-drawn=sharp]', { state: 'attached' });
 }
 
-/** Into the folder FORAMEN_SCREENSHOTS, if it is set: to be looked at. */
+/** Saves a screenshot in the folder FORAMEN_SCREENSHOTS, if it is set. */
 export async function picture(page: Page, name: string): Promise<void> {
   const folder = process.env.FORAMEN_SCREENSHOTS;
   if (!folder) return;

@@ -16,7 +16,9 @@ const around = 8,
   tube = 5;
 const emptyTable = { title: '', note: '', header: [], rows: [] };
 
-/** A torus of revolution with two modes (longer in x, thicker in z) and three shapes, as foramen would write it. */
+/**
+ * A report of a torus of revolution with two modes (longer in x, thicker in z) and three shapes, in foramen's format.
+ */
 export function smallReport(): ReportData {
   const mean: number[] = [],
     longer: number[] = [],

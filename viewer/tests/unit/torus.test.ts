@@ -7,7 +7,7 @@ const { model, torus } = new Report(smallReport());
 
 const signedArea = (p: ArrayLike<number>) => ((p[2] - p[0]) * (p[5] - p[1]) - (p[4] - p[0]) * (p[3] - p[1])) / 2;
 
-// What is left of a polygon where coordinate c is at least (sign 1) or at most (sign -1) the bound.
+// The part of a polygon in which coordinate c is at least (sign 1) or at most (sign -1) the bound.
 function clipped(polygon: [number, number][], c: 0 | 1, sign: number, bound: number): [number, number][] {
   const inside = (p: [number, number]) => sign * (p[c] - bound) >= 0;
   return polygon.flatMap((p, i) => {

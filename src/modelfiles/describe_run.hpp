@@ -1,11 +1,14 @@
 #pragma once
+/// \file
+/// The record of a build that has just been made.
 
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include "foramen/evaluate/evaluate.hpp"
 #include "modelfiles/build_record.hpp"
+#include "modelfiles/run_file.hpp"
 
 namespace foramen {
 
@@ -24,18 +27,10 @@ struct RunFigures {
 };
 
 /// The record of a run: version, command, options, inputs, what became of each shape, times, memory.
-nlohmann::ordered_json run_json(const RunDescription& asked, const BuildRecord& record,
-                                const Evaluation& evaluation, const RunFigures& figures);
+RunRecord describe_run(const RunDescription& asked, const BuildRecord& record, const Evaluation& evaluation,
+                       const RunFigures& figures);
 
 /// A build's options by their command-line names.
 nlohmann::ordered_json options_json(const BuildOptions& options);
-
-/// How a label became a surface.
-nlohmann::ordered_json extraction_json(const ExtractionReport& report);
-/// Options for label maps by their command-line names.
-nlohmann::ordered_json label_options_json(const LabelRequest& request);
-
-/// Largest resident memory of this process so far, MB.
-double peak_memory_mb();
 
 }  // namespace foramen

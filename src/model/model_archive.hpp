@@ -1,11 +1,11 @@
 #pragma once
 /// \file
-/// Private to stages: an aligned cohort's model as bytes, to be kept.
+/// Alignments and models as bytes (byte_archive.hpp), to be kept.
 
 #include <utility>
 
-#include "foramen/core/byte_archive.hpp"
-#include "foramen/evaluate/generalization.hpp"
+#include "core/byte_archive.hpp"
+#include "foramen/model/build_shape_model.hpp"
 
 namespace foramen {
 
@@ -35,11 +35,6 @@ inline void transfer(ByteReader& archive, ShapeModel& model) {
 template <class Archive>
 void transfer(Archive& archive, MaybeConst<AlignedModel> auto& m) {
   archive(m.alignment, m.model);
-}
-
-template <class Archive>
-void transfer(Archive& archive, MaybeConst<RefitGeneralization::Failure> auto& f) {
-  archive(f.shape, f.without, f.reason);
 }
 
 }  // namespace foramen

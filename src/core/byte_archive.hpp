@@ -1,9 +1,11 @@
 #pragma once
 /// \file
-/// Values as bytes, and back without the loss of a bit. For what the same program reads again on the same
-/// machine, never for exchange.
+/// Converts values to bytes and back without loss. The bytes depend on the version of the program and the
+/// byte order of the machine, so they serve for stored results that the same program reads again, never for
+/// exchange.
 ///
-/// A type says once what it consists of, for both ways, beside the code that keeps it:
+/// A type lists its fields once, for writing and for reading, in a function transfer() that stands beside the
+/// code that stores it:
 ///
 ///     template <class Archive>
 ///     void transfer(Archive& archive, MaybeConst<TorusMap> auto& map) {
@@ -24,8 +26,8 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/ids.hpp"
-#include "foramen/core/maybe_const.hpp"
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 
@@ -38,7 +40,8 @@ class ByteWriter {
     (transfer(*this, values), ...);
   }
   void floating(double value) { bytes_.append(reinterpret_cast<const char*>(&value), sizeof value); }
-  /// Seven bits a byte, the sign in the lowest: most integers here are small.
+  /// Writes a variable-length integer: seven bits per byte, with the sign in the lowest bit. Most stored
+  /// integers are small, so most take one byte.
   void integer(std::int64_t value) {
     auto bits = (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
     for (; bits >= 0x80; bits >>= 7) bytes_ += static_cast<char>(bits | 0x80);
@@ -51,8 +54,8 @@ class ByteWriter {
   std::string bytes_;
 };
 
-/// Takes values from bytes in the order in which they were written. Bytes that end too early or hold what
-/// cannot be are a defect of whoever kept them: InternalError.
+/// Reads values from bytes in the order in which they were written. Throws InternalError if the bytes end too
+/// early or hold an impossible value, since only foramen itself writes such bytes.
 class ByteReader {
  public:
   static constexpr bool reads = true;
@@ -82,7 +85,8 @@ class ByteReader {
     bytes_.remove_prefix(count);
     return taken;
   }
-  /// A number of items, each of one byte or more.
+  /// Reads the number of items that follow. Each item takes at least one byte, so a number above the bytes
+  /// that are left is refused before memory is allocated.
   std::size_t count() {
     const std::int64_t items = integer();
     FORAMEN_ASSERT(items >= 0 && static_cast<std::uint64_t>(items) <= bytes_.size());
@@ -94,6 +98,7 @@ class ByteReader {
   std::string_view bytes_;
 };
 
+/// Writes one value to bytes.
 template <class Value>
 std::string to_bytes(const Value& value) {
   ByteWriter writer;
@@ -101,6 +106,7 @@ std::string to_bytes(const Value& value) {
   return writer.take();
 }
 
+/// Reads one value from the bytes of to_bytes(). Throws InternalError if bytes are left over.
 template <class Value>
 Value from_bytes(std::string_view bytes) {
   Value value;
@@ -145,17 +151,9 @@ void transfer(Archive& archive, MaybeConst<std::string> auto& text) {
 
 namespace detail {
 template <class T>
-inline constexpr bool is_vector = false;
-template <class T>
-inline constexpr bool is_vector<std::vector<T>> = true;
-template <class T>
 inline constexpr bool is_array = false;
 template <class T, std::size_t n>
 inline constexpr bool is_array<std::array<T, n>> = true;
-template <class T>
-inline constexpr bool is_optional = false;
-template <class T>
-inline constexpr bool is_optional<std::optional<T>> = true;
 template <class T>
 inline constexpr bool is_id_map = false;
 template <class I, class T>
@@ -218,7 +216,8 @@ void transfer(Archive& archive, MaybeConst<TriangleSoup> auto& soup) {
   archive(soup.points, soup.triangles);
 }
 
-/// By its points and triangles, which decide all of it. An empty mesh stays one.
+/// A mesh is stored as its points and triangles; reading builds the connectivity again. An empty mesh stays
+/// empty.
 inline void transfer(ByteWriter& archive, const Mesh& mesh) { archive(mesh.soup()); }
 inline void transfer(ByteReader& archive, Mesh& mesh) {
   TriangleSoup soup;

@@ -1,4 +1,4 @@
-#include "foramen/core/stage_store.hpp"
+#include "core/kept_results.hpp"
 
 #include "foramen/core/error.hpp"
 
@@ -11,7 +11,7 @@ std::optional<KeptKind> kept_kind(const std::exception& error) {
   return std::nullopt;
 }
 
-void throw_kept(KeptKind kind, const std::string& message) {
+void throw_kept(KeptKind kind, const Message& message) {
   switch (kind) {
     case KeptKind::topology_error:
       throw TopologyError(message);

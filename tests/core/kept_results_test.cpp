@@ -1,4 +1,4 @@
-#include "foramen/core/stage_store.hpp"
+#include "core/kept_results.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST_F(Kept, AnErrorThatFollowsFromTheInputIsKept) {
   int tried = 0;
   const auto fail = [&]() -> int {
     ++tried;
-    throw TopologyError("genus 3");
+    throw TopologyError("genus 3", {{RemedyKind::repair}, {RemedyKind::give_unit, "cm"}});
   };
   for (int time = 0; time < 2; ++time) {
     try {
@@ -40,6 +40,7 @@ TEST_F(Kept, AnErrorThatFollowsFromTheInputIsKept) {
       FAIL() << "no error";
     } catch (const TopologyError& e) {
       EXPECT_STREQ(e.what(), "genus 3");
+      EXPECT_EQ(e.remedies(), (std::vector<Remedy>{{RemedyKind::repair}, {RemedyKind::give_unit, "cm"}}));
     }
   }
   EXPECT_EQ(tried, 1);

@@ -1,0 +1,35 @@
+#include "workflow/sample_model.hpp"
+
+#include <atomic>
+#include <cstdio>
+#include <string>
+
+#include "core/parallel.hpp"
+#include "foramen/io/mesh_file.hpp"
+#include "modelfiles/model_folder.hpp"
+
+namespace foramen {
+namespace {
+
+std::string sample_name(int index) {
+  char name[32];
+  std::snprintf(name, sizeof name, "sample%04d.ply", index + 1);
+  return name;
+}
+
+}  // namespace
+
+void sample_model(const SampleRequest& request, const RunContext& ctx) {
+  const LoadedModel loaded = load_model(request.model);
+  std::filesystem::create_directories(request.output);
+  const Rng root(request.seed);
+  std::atomic<int> done{0};
+  parallel_for(request.count, ctx, [&](int i) {
+    Rng rng = root.fork(static_cast<std::uint64_t>(i));
+    const Eigen::VectorXd shape = loaded.model.reconstruct(loaded.model.draw(rng));
+    write_ply(request.output / sample_name(i), {unflattened(shape), loaded.model.triangles()}, loaded.space);
+    ctx.step("sample", static_cast<double>(++done) / request.count);
+  });
+}
+
+}  // namespace foramen
