@@ -91,6 +91,11 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
+std::size_t byte_order_mark(std::string_view bytes) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return bytes.starts_with(mark) ? mark.size() : 0;
+}
+
 bool LineCursor::next() {
   if (offset_ >= bytes_.size()) return false;
   const auto end = bytes_.find('\n', offset_);

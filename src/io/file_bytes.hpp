@@ -41,10 +41,13 @@ std::optional<std::int64_t> to_integer(std::string_view token);
 
 std::string lower_case(std::string_view text);
 
-/// A cursor over lines that end with LF or CRLF.
+/// The number of bytes of the mark of UTF-8 at the beginning of a text: 3 or 0.
+std::size_t byte_order_mark(std::string_view bytes);
+
+/// A cursor over lines that end with LF or CRLF. A byte order mark before the first line is skipped.
 class LineCursor {
  public:
-  explicit LineCursor(std::string_view bytes) : bytes_(bytes) {}
+  explicit LineCursor(std::string_view bytes) : bytes_(bytes), offset_(byte_order_mark(bytes)) {}
   /// Goes to the next line; false at the end.
   bool next();
   /// Goes to the next line that is not blank; false at the end.
