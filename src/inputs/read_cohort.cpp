@@ -1,7 +1,6 @@
 #include "inputs/read_cohort.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -19,14 +18,6 @@ namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_mesh_file(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto& known = mesh_extensions();
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -105,7 +96,7 @@ const InputShape* same_surface(const InputShape& shape, const std::vector<InputS
 // apart, because the names of a label map's shapes are longer than its stem.
 std::pair<std::string, bool> stem_of(const fs::path& file) {
   const bool label_map = is_label_map(file);
-  return {label_map ? label_map_stem(file) : file.stem().string(), label_map};
+  return {label_map ? label_map_stem(file) : mesh_stem(file), label_map};
 }
 
 std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind& kind) {
@@ -149,11 +140,12 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{file.stem().string(), file.filename().string(), {}, message_of(e)};
+      result = LeftOut{mesh_stem(file), file.filename().string(), {}, message_of(e)};
     }
   });
   for (auto& result : results) {
     auto* shape = std::get_if<InputShape>(&result);
+    if (shape != nullptr) cohort.notes.insert(cohort.notes.end(), shape->notes.begin(), shape->notes.end());
     if (shape == nullptr)
       cohort.left_out.push_back(std::get<LeftOut>(std::move(result)));
     else if (const InputShape* original = same_surface(*shape, cohort.shapes))
@@ -275,11 +267,12 @@ InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
 InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional<RepairOptions>& repair,
                       const RunContext& ctx) {
   InputShape shape;
-  shape.stem = file.stem().string();
+  shape.stem = mesh_stem(file);
   shape.file_name = file.filename().string();
   MeshFile read = read_mesh(file);
   shape.sha256 = sha256_of_file(file);
   shape.space = read.space.value_or(AnatomicalSpace::lps);
+  for (const Message& note : read.notes) shape.notes.push_back(note.about(shape.file_name));
   try {
     return usable_shape(std::move(shape), std::move(read.soup), unit, repair, ctx);
   } catch (const TopologyError& e) {

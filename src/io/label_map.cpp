@@ -4,6 +4,7 @@
 #include <fstream>
 #include <utility>
 
+#include "io/foreign_file.hpp"
 #include "io/sha256.hpp"
 #include "io/voxel_layout.hpp"
 
@@ -74,6 +75,7 @@ std::string label_map_stem(const std::filesystem::path& path) {
 }
 
 LabelMap read_label_map(const std::filesystem::path& path) {
+  if (std::error_code failed; std::filesystem::is_regular_file(path, failed)) io_detail::refuse_foreign(path);
   const Format* format = format_of(path);
   if (!format) {
     std::string known;
