@@ -12,6 +12,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "io/foreign_file.hpp"
 #include "io/sha256.hpp"
 
 namespace foramen {
@@ -39,6 +40,17 @@ struct Kind {
 constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
     shape_files{"mesh file and no label map", true, true};
 
+// Names what a folder holds instead, such as the slices of a DICOM series, by the first files in it.
+void refuse_foreign_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  constexpr std::size_t looked_at = 10;
+  files.resize(std::min(files.size(), looked_at));
+  for (const fs::path& file : files) io_detail::refuse_foreign(file);
+}
+
 // Throws IoError instead of std::filesystem_error, whose message does not say what to do.
 std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
   std::error_code failed;
@@ -47,6 +59,7 @@ std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) 
     if (entry->is_regular_file() && kind.includes(entry->path())) found.push_back(entry->path());
   if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
   if (found.empty()) {
+    refuse_foreign_files(folder);
     throw InvalidInput(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
                        kind.extensions() + ")");
   }
