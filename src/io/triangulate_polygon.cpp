@@ -17,6 +17,11 @@ class EarClipping {
 
   std::vector<std::array<int, 3>> triangles() {
     std::vector<std::array<int, 3>> out;
+    if (first_corner_sees_all()) {
+      for (std::size_t i = 1; i + 1 < corners_.size(); ++i)
+        out.push_back({corners_[0], corners_[i], corners_[i + 1]});
+      return out;
+    }
     while (corners_.size() > 3) {
       const std::size_t ear = best_ear(), n = corners_.size();
       out.push_back({corners_[(ear + n - 1) % n], corners_[ear], corners_[(ear + 1) % n]});
@@ -31,6 +36,12 @@ class EarClipping {
     return points_[static_cast<std::size_t>(corners_[i % corners_.size()])];
   }
   double turn(const Vec3& a, const Vec3& b, const Vec3& c) const { return (b - a).cross(c - a).dot(normal_); }
+
+  bool first_corner_sees_all() const {
+    for (std::size_t i = 1; i + 1 < corners_.size(); ++i)
+      if (!(turn(at(0), at(i), at(i + 1)) > 0)) return false;
+    return true;
+  }
 
   bool is_ear(std::size_t i) const {
     const std::size_t n = corners_.size();

@@ -46,7 +46,9 @@ TEST(FindMeshes, RefusesWhatIsMissingEmptyOrAmbiguous) {
 
 TEST(FindMeshes, AFolderOfDicomIsNamed) {
   const TemporaryFolder folder;
-  folder.file("IM0001", std::string(128, '\0') + "DICM");
+  std::string slice(128, '\0');
+  slice += "DICM";
+  folder.file("IM0001", slice);
   EXPECT_THAT(refusal([&] { find_meshes({folder.path()}); }), says("is a DICOM file"));
 }
 

@@ -79,8 +79,7 @@ TEST(PlyVariants, PolygonsKeepTheirPlaceAmongTheTriangles) {
                              "element face 4\nproperty list uchar int vertex_index\nend_header\n"
                              "0 0 0\n2 0 0\n2 1 0\n0 1 0\n1 1 4\n3 0 1 4\n4 0 1 2 3\n2 0 1\n3 1 2 4\n";
   const MeshFile file = read("a.ply", square);
-  // The diagonals are equally long, so the first ear is cut.
-  EXPECT_EQ(file.soup.triangles, (Triangles{{0, 1, 4}, {3, 0, 1}, {1, 2, 3}, {1, 2, 4}}));
+  EXPECT_EQ(file.soup.triangles, (Triangles{{0, 1, 4}, {0, 1, 2}, {0, 2, 3}, {1, 2, 4}}));
   EXPECT_EQ(note_of(file), "1 polygon cut into triangles; 1 loose cell (points, lines) passed over");
 }
 
@@ -120,7 +119,7 @@ TEST(ObjVariants, ContinuedLinesPolygonsLinesAndMaterials) {
   const MeshFile lines = read("a.obj", v + "v 9 9 9\nl 1 5\np 5\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
   expect_tetrahedron(lines, "2 loose cells (points, lines) passed over");
   const MeshFile quad = read("a.obj", "f 1/1/1 2/2/1 3//1 4\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 3 4\n");
-  EXPECT_EQ(quad.soup.triangles, (Triangles{{3, 0, 1}, {1, 2, 3}, {0, 2, 3}}));
+  EXPECT_EQ(quad.soup.triangles, (Triangles{{0, 1, 2}, {0, 2, 3}, {0, 2, 3}}));
 }
 
 TEST(OffVariants, ColoursNormalsPolygonsAndComments) {
@@ -288,11 +287,20 @@ TEST(MeshVariants, OtherKindsOfFilesAreNamed) {
     }
 }
 
+// Corresponding surfaces must get the same triangles, though their diagonals differ in length.
+TEST(TriangulatePolygon, ConvexPolygonsAreCutAlikeWhateverTheirShape) {
+  const std::vector<Vec3> wide{{0, 0, 0}, {5, 1, 0}, {9, 3, 1}, {4, 3, 0}},
+      narrow{{0, 0, 0}, {5, -4, 0}, {6, 0, 0}, {5, 4, 1}};
+  const std::vector<int> quad{0, 1, 2, 3};
+  EXPECT_EQ(io_detail::triangulate_polygon(quad, wide), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(io_detail::triangulate_polygon(quad, narrow), (Triangles{{0, 1, 2}, {0, 2, 3}}));
+}
+
 // An L of six corners: ears must not be cut across the notch. Reversed, it must stay reversed.
 TEST(TriangulatePolygon, ConcavePolygonsAreCoveredOnce) {
   const std::vector<Vec3> corners{{0, 0, 5}, {3, 0, 5}, {3, 1, 5}, {1, 1, 5}, {1, 3, 5}, {0, 3, 5}};
   for (const bool reversed : {false, true}) {
-    std::vector<int> polygon{0, 1, 2, 3, 4, 5};
+    std::vector<int> polygon{1, 2, 3, 4, 5, 0};
     if (reversed) std::reverse(polygon.begin(), polygon.end());
     const auto triangles = io_detail::triangulate_polygon(polygon, corners);
     ASSERT_EQ(triangles.size(), 4u);
