@@ -1,5 +1,5 @@
-# find_package(lz4) defines the target lz4::lz4. Debian's liblz4 has no package file for CMake, so this file is installed
-# with foramen.
+# find_package(lz4) defines the target lz4::lz4. Debian's liblz4 has no package file for CMake, so this file is
+# installed with foramen.
 find_path(LZ4_INCLUDE_DIR lz4.h)
 find_library(LZ4_LIBRARY lz4)
 mark_as_advanced(LZ4_INCLUDE_DIR LZ4_LIBRARY)

@@ -37,7 +37,8 @@ class ObjParser {
     std::size_t line;
   };
 
-  // Goes to the next line that is not blank; joins it with those on which a backslash at its end continues it.
+  // Goes to the next line that is not blank; joins it with those on which a backslash at its end continues
+  // it.
   bool next_line() {
     if (!lines_.next_filled()) return false;
     line_ = lines_.line();

@@ -36,8 +36,8 @@ bool inflate_lzma(std::string_view block, std::string& out) {
 }  // namespace
 
 std::uint64_t most_unpacked(BlockPacking packing, std::uint64_t packed_bytes) {
-  // Deflate packs at most about 1032 bytes into one, LZ4 255. LZMA has no such bound: its blocks by VTK are of
-  // 32 KiB by default, and a file of 100 bytes can hold one.
+  // Deflate packs at most about 1032 bytes into one, LZ4 255. LZMA has no such bound: its blocks by VTK are
+  // of 32 KiB by default, and a file of 100 bytes can hold one.
   constexpr std::uint64_t zlib = 1032, lz4 = 256, lzma = 8192;
   const std::uint64_t densest = packing == BlockPacking::zlib  ? zlib
                                 : packing == BlockPacking::lz4 ? lz4

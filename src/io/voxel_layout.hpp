@@ -49,7 +49,8 @@ struct GeometryProblem {
 };
 std::optional<GeometryProblem> geometry_problem(const Mat3& axes, const Vec3& origin);
 
-/// Sets the packing by the first bytes of the data, since headers and names of files are often wrong about it.
+/// Sets the packing by the first bytes of the data, since headers and names of files are often wrong about
+/// it.
 void set_packing_by_content(VoxelLayout& layout);
 
 /// Where the data begin in one of the files. \pre check_layout() accepts the layout

@@ -13,9 +13,9 @@
 namespace foramen::io_detail {
 
 /// Reads the arrays of one file: as text, as base64 within the element, or from the data appended at the end
-/// of the file, raw or in base64. Blocks compressed by zlib, LZ4 or LZMA are decompressed. Throws IoError for an array
-/// that is missing, damaged, of another type or compressed by another method. Memory is allocated only for
-/// sizes that the file can hold.
+/// of the file, raw or in base64. Blocks compressed by zlib, LZ4 or LZMA are decompressed. Throws IoError for
+/// an array that is missing, damaged, of another type or compressed by another method. Memory is allocated
+/// only for sizes that the file can hold.
 class VtkDataArrays {
  public:
   /// \param file  the root element

@@ -1,4 +1,5 @@
-// Surfaces as programs of all kinds write them: each must be read as the plain file is, with at most one note.
+// Surfaces as programs of all kinds write them: each must be read as the plain file is, with at most one
+// note.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

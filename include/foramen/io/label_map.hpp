@@ -39,16 +39,17 @@ const std::vector<std::string>& label_map_extensions();
 std::string label_map_stem(const std::filesystem::path& path);
 
 /// Reads one three-dimensional image of labels 0 .. 65535, stored as integers or floating-point numbers, in
-/// any orientation; further axes of length 1 are passed over. Values that became fractions on the way (19.9999)
-/// are rounded, up to 0.05. A NIfTI file is placed by its sform if that is usable, else by its qform. NRRD may
-/// be in LPS, RAS or LAS space; MetaImage is in LPS. Whether data are compressed is seen by their first bytes,
-/// not by the name. Data in several files are read if these lie in the folder of the header or below. Memory is allocated for the data that the file
-/// holds, not for the size that its header states.
+/// any orientation; further axes of length 1 are passed over. Values that became fractions on the way
+/// (19.9999) are rounded, up to 0.05. A NIfTI file is placed by its sform if that is usable, else by its
+/// qform. NRRD may be in LPS, RAS or LAS space; MetaImage is in LPS. Whether data are compressed is seen by
+/// their first bytes, not by the name. Data in several files are read if these lie in the folder of the
+/// header or below. Memory is allocated for the data that the file holds, not for the size that its header
+/// states.
 ///
 /// Throws IoError with the file, what was found and what to do: a header that states more data than the file
-/// holds, a truncated or damaged file, another kind of file, a number of dimensions other than three, colours or vectors, axes that
-/// are not at right angles, no orientation, or values that are no labels (fractions and negative numbers, as
-/// in a grey-value image).
+/// holds, a truncated or damaged file, another kind of file, a number of dimensions other than three, colours
+/// or vectors, axes that are not at right angles, no orientation, or values that are no labels (fractions and
+/// negative numbers, as in a grey-value image).
 LabelMap read_label_map(const std::filesystem::path& path);
 
 }  // namespace foramen

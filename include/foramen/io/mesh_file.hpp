@@ -36,8 +36,8 @@ std::string mesh_stem(const std::filesystem::path& path);
 
 /// Reads a mesh in the format that the extension (upper or lower case) names. A file that gzip packed is
 /// unpacked, whatever its name, up to 2 GiB. Polygons and strips become triangles, loose points and lines are
-/// passed over, and a note says so. STL corners with exactly equal coordinates become one vertex. Throws IoError with the
-/// file, what was found, where in the file, and what to do.
+/// passed over, and a note says so. STL corners with exactly equal coordinates become one vertex. Throws
+/// IoError with the file, what was found, where in the file, and what to do.
 MeshFile read_mesh(const std::filesystem::path& path);
 
 /// A scalar field on the vertices, one value per point; the name has no blanks.
