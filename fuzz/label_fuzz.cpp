@@ -48,7 +48,7 @@ void fuzz(std::string_view bytes) {
       const io_detail::VoxelLayout layout = layout_of(file.path());
       io_detail::check_layout(file.path(), layout);
       LabelMap map;
-      map.labels = io_detail::read_voxels(file.path(), layout);
+      map.labels = io_detail::read_voxels(file.path(), layout).labels;
       for (std::size_t d = 0; d < 3; ++d) map.size[d] = static_cast<int>(layout.size[d]);
       require(std::ssize(map.labels) == layout.size[0] * layout.size[1] * layout.size[2]);
       map.axes = layout.axes;

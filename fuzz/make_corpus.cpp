@@ -63,6 +63,17 @@ void write_meshes(const fs::path& folder) {
                "# vtk DataFile Version 3.0\nSPACE=RAS\nASCII\nDATASET POLYDATA\nPOINTS " + v + " float\n" +
                    points + "POLYGONS " + f + " " + std::to_string(4 * soup.triangles.size()) + "\n" + faces);
   }
+  write_file(folder / "quads.off", "COFF\n4 2 0\n0 0 0 1 1 1\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 0 1\n");
+  write_file(folder / "continued.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 \\\n3 4\nl 1 2\n");
+  write_file(folder / "strips.ply",
+             "ply\ncomment x\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+             "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+             "0 0 0\n1 0 0\n0 1 0\n1 1 0\n6 0 1 2 -1 1 2\n");
+  write_file(folder / "fields.vtk",
+             "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nFIELD f 2\ns 1 1 string\nab\nb 1 2 "
+             "bit\n1 0\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\nVERTICES 2 1\nOFFSETS vtktypeint64\n0 1\n"
+             "CONNECTIVITY vtktypeint64\n0\nTRIANGLE_STRIPS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY "
+             "vtktypeint64\n0 1 2 3\n");
   for (const auto& file : testing::malformed::all_files())
     write_file(folder / (file.name + "." + file.extension), file.bytes);
 }
@@ -152,6 +163,7 @@ void write_label_maps(const fs::path& folder) {
     write_file(folder / (name + ".nii.gz"), testing::packed(testing::nifti_bytes(map)));
     write_file(folder / (name + ".nrrd"), nrrd + "encoding: raw\n\n" + voxels);
     write_file(folder / (name + "_gzip.nrrd"), nrrd + "encoding: gzip\n\n" + testing::packed(voxels));
+    write_file(folder / (name + "_at_end.mha"), meta + "HeaderSize = -1\nElementDataFile = LOCAL\n" + voxels);
     write_file(folder / (name + ".mha"), meta + "ElementDataFile = LOCAL\n" + voxels);
     write_file(folder / (name + "_zlib.mha"),
                meta + "CompressedData = True\nElementDataFile = LOCAL\n" + testing::packed(voxels, false));

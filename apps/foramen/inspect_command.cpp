@@ -100,9 +100,11 @@ int inspect(const InspectOptions& options) {
         handles = handles_of(read.soup, report, options.console);
       if (options.console.json) {
         all.push_back(as_json(file, report, read.space));
+        if (!read.notes.empty()) all.back()["notes"] = texts_of(read.notes);
         if (handles) all.back()["handles"] = as_json(*handles);
       } else if (!options.console.quiet) {
         print(file, report);
+        for (const Message& note : read.notes) std::cout << "  note: " << worded(note) << '\n';
         if (handles) print(*handles);
       }
       refused_any |= obstacle_to_model(report).has_value();

@@ -21,13 +21,15 @@ struct ModesCommand {
 };
 
 int sample(const SampleCommand& command) {
-  sample_model(command.request, command.console.context());
+  const auto notes = sample_model(command.request, command.console.context());
+  for (const Message& note : notes) command.console.warn(note.about(command.request.model.string()));
   tell_written(command.console, command.request.output, command.request.count);
   return ExitCode::done;
 }
 
 int modes(const ModesCommand& command) {
   const LoadedModel loaded = load_model(command.model);
+  for (const Message& note : loaded.notes) command.console.warn(note.about(command.model.string()));
   write_modes(command.output, loaded.model, command.sd, loaded.space);
   tell_written(command.console, command.output, 2 * loaded.model.modes());
   return ExitCode::done;

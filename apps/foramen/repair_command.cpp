@@ -63,6 +63,7 @@ void print(const RepairCommand& command, const RepairedMesh& repaired) {
 int repair(const RepairCommand& command) {
   const Writer write = writer_for(command.output);
   MeshFile file = read_mesh(command.input);
+  for (const Message& note : file.notes) command.console.warn(note.about(command.input));
   const RepairedMesh repaired = [&] {
     try {
       return repair_surface(std::move(file.soup), command.unit, command.repair,

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Results of finished stages in the run's store, each under a digest of everything from which it was computed.
+/// Results of finished stages in the run's store. The key of each is a digest of everything from which it was
+/// computed.
 
 #include <optional>
 #include <string>

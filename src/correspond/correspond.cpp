@@ -26,8 +26,8 @@ namespace {
 // The search for the loops of a reference takes seconds at this size and grows faster than its power 3/2.
 constexpr int large_reference_vertices = 100000;
 
-// A reference with a smaller share of the median number of vertices has too few for its loops to be carried to
-// the others reliably.
+// A reference with a smaller share of the median number of vertices has too few for its loops to be carried
+// to the others reliably.
 constexpr double coarse_reference_share = 0.25;
 
 // Another reference is tried if more than one in so many shapes cannot be registered.
@@ -60,8 +60,8 @@ struct MappedReference {
   Reference reference;
 };
 
-// Maps the first of the candidates that can be mapped and removes it and those before it from the list. A valid
-// surface may be too rough for a map, and this must not make the whole cohort fail.
+// Maps the first of the candidates that can be mapped and removes it and those before it from the list. A
+// valid surface may be too rough for a map, and this must not make the whole cohort fail.
 MappedReference map_next_reference(std::span<const Shape> shapes, std::vector<int>& candidates,
                                    std::vector<FailedShape>& refused, const CorrespondOptions& options,
                                    const RunContext& ctx) {
@@ -164,8 +164,8 @@ RegisteredCohort registered_with_next(std::span<const Shape> shapes, std::vector
   return cohort;
 }
 
-// Registers the shapes with the first reference by which few are lost, or with the one of those tried by which
-// the fewest are.
+// Registers the shapes with the first reference by which few are lost, or with the one of those tried by
+// which the fewest are.
 RegisteredCohort register_with_best_reference(std::span<const Shape> shapes, const CorrespondOptions& options,
                                               std::vector<FailedShape>& refused, const RunContext& ctx) {
   std::vector<int> candidates = reference_candidates(shapes, options.reference);

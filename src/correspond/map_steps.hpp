@@ -13,8 +13,8 @@
 
 namespace foramen {
 
-/// Throws TopologyError, which says the genus, for a surface that is not one closed piece of genus 1. The steps
-/// that follow would refuse it late and in their own terms.
+/// Throws TopologyError, which says the genus, for a surface that is not one closed piece of genus 1. The
+/// steps that follow would refuse it late and in their own terms.
 void require_genus_one(const Mesh& surface);
 
 /// first_map() with the reference's loops, in the reference's lattice and moved onto its place

@@ -35,8 +35,8 @@ Reference reference_of(const TemplateSurface& mean, const RunContext& ctx) {
   return reference;
 }
 
-// A coarser mean is subdivided: the loops of a mesh with so few vertices are coarse paths round thin parts, and
-// its nearest vertices tell little about where a point belongs.
+// A coarser mean is subdivided: the loops of a mesh with so few vertices are coarse paths round thin parts,
+// and its nearest vertices tell little about where a point belongs.
 constexpr int fewest_vertices = 1000;
 
 struct FineMean {

@@ -9,8 +9,8 @@
 
 namespace foramen {
 
-/// Every triangle divided into four by the midpoints of its edges. Vertices keep their indices; the midpoint of
-/// edge e follows as vertex vertex_count + e. The map is linear on every triangle, as before.
+/// Every triangle divided into four by the midpoints of its edges. Vertices keep their indices, and the
+/// midpoint of edge e is vertex vertex_count + e. The map is linear on every triangle, as before.
 TemplateSurface subdivided(const TemplateSurface& surface);
 
 /// Corresponding points of another shape, followed by the midpoints of the mesh's edges between them.

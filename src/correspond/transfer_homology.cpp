@@ -15,7 +15,8 @@ namespace foramen {
 namespace {
 
 // Points along the loop with normals, from each vertex on, that are no further apart than the spacing [mm]. A
-// path between the places of two vertices alone may return on the side from which it came if the edge is long.
+// path between the places of two vertices alone may return on the side from which it came if the edge is
+// long.
 std::vector<OrientedPoint> points_along(const Mesh& mesh, const VertexMap<Vec3>& normals,
                                         const EdgeLoop& loop, double spacing) {
   std::vector<OrientedPoint> points;

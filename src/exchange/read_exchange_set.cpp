@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "exchange/exchange_set.hpp"
@@ -91,6 +93,7 @@ ExchangeSet read_model_file(const fs::path& file) {
   ExchangeSet set;
   set.model = read_statismo(file);
   set.triangles = set.model->triangles;
+  for (const Message& note : set.model->notes) set.notes.push_back(note.about(file.filename().string()));
   // Only model.h5 of a build can be in RAS. Other files in its folder were written by `convert`, in LPS.
   if (file.filename() == "model.h5" && is_ras(file.parent_path() / "mean.ply")) {
     turn(*set.model);
@@ -136,13 +139,53 @@ ExchangeSet read_project(const fs::path& file) {
   return set;
 }
 
+void to_millimetres(ExchangeSet& set, LengthUnit unit) {
+  const double millimetres = millimetres_per(unit);
+  for (auto& shape : set.shapes)
+    for (Vec3& p : shape) p *= millimetres;
+  for (Eigen::Matrix4d& transform : set.to_common) transform.topRightCorner<3, 1>() *= millimetres;
+}
+
+constexpr std::string_view particles_extension = ".particles", local = "_local", world = "_world";
+
+// The files of particles in a folder by the names of their subjects. ShapeWorks writes NAME_local.particles,
+// in the coordinates of the subject, and NAME_world.particles, which are aligned; the former are taken.
+std::map<std::string, fs::path> particles_in(const fs::path& folder) {
+  std::map<std::string, fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file() || entry.path().extension() != particles_extension) continue;
+    std::string name = entry.path().stem().string();
+    const bool is_world = name.ends_with(world);
+    if (is_world || name.ends_with(local)) name.resize(name.size() - local.size());
+    if (const auto [place, is_new] = found.emplace(name, entry.path()); !is_new && !is_world)
+      place->second = entry.path();
+  }
+  return found;
+}
+
+ExchangeSet read_particles_folder(const std::map<std::string, fs::path>& files) {
+  ExchangeSet set;
+  for (const auto& [name, file] : files) {
+    set.names.push_back(name);
+    set.shapes.push_back(read_particles(file));
+  }
+  return set;
+}
+
 ExchangeSet read_by_kind(const ConvertRequest& request) {
   const fs::path& input = request.input;
   if (!fs::exists(input)) throw IoError(input.string() + ": there is no such file or folder; check the name");
   if (fs::is_directory(input)) {
     if (fs::exists(input / "model.h5")) return read_model_folder(input, request.unit);
     ExchangeSet set;
-    read_meshes(set, input, request.unit);
+    const auto has_mesh = [](const fs::directory_entry& entry) { return is_mesh_file(entry.path()); };
+    const auto files = particles_in(input);
+    if (files.empty() || std::any_of(fs::directory_iterator(input), fs::directory_iterator(), has_mesh)) {
+      read_meshes(set, input, request.unit);
+      return set;
+    }
+    set = read_particles_folder(files);
+    to_millimetres(set, request.unit);
     return set;
   }
   const std::string extension = input.extension().string();
@@ -160,14 +203,15 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
     set = read_points(read_tps(input));
   else if (extension == ".csv")
     set = read_points(read_landmark_table(input));
+  else if (extension == ".xlsx")
+    throw InvalidInput(input.string() +
+                       ": is a spreadsheet; save the project as .swproj in ShapeWorks Studio, or a table of "
+                       "landmarks as .csv");
   else
     throw InvalidInput(input.string() +
                        ": is none of what can be converted: a model's folder, .h5, .h5.json, a folder of "
-                       "corresponding meshes, .swproj, .tps, .csv");
-  const double millimetres = millimetres_per(request.unit);
-  for (auto& shape : set.shapes)
-    for (Vec3& p : shape) p *= millimetres;
-  for (Eigen::Matrix4d& transform : set.to_common) transform.topRightCorner<3, 1>() *= millimetres;
+                       "corresponding meshes or of .particles, .swproj, .tps, .csv");
+  to_millimetres(set, request.unit);
   return set;
 }
 

@@ -93,6 +93,7 @@ LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelReque
 
   LabelSurfaces result;
   result.sha256 = map.sha256;
+  for (const Message& note : map.notes) result.notes.push_back(note.about(name));
   std::vector<std::variant<std::monostate, ExtractedSurface, Message>> outcomes(plan.wanted.size());
   parallel_for(static_cast<int>(plan.wanted.size()), ctx, [&](int i) {
     const std::size_t at = i;

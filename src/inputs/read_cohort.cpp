@@ -1,7 +1,6 @@
 #include "inputs/read_cohort.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -13,20 +12,13 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "io/foreign_file.hpp"
 #include "io/sha256.hpp"
 
 namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_mesh_file(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto& known = mesh_extensions();
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -48,6 +40,17 @@ struct Kind {
 constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
     shape_files{"mesh file and no label map", true, true};
 
+// Names what a folder holds instead, such as the slices of a DICOM series, by the first files in it.
+void refuse_foreign_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  constexpr std::size_t looked_at = 10;
+  files.resize(std::min(files.size(), looked_at));
+  for (const fs::path& file : files) io_detail::refuse_foreign(file);
+}
+
 // Throws IoError instead of std::filesystem_error, whose message does not say what to do.
 std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
   std::error_code failed;
@@ -56,6 +59,7 @@ std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) 
     if (entry->is_regular_file() && kind.includes(entry->path())) found.push_back(entry->path());
   if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
   if (found.empty()) {
+    refuse_foreign_files(folder);
     throw InvalidInput(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
                        kind.extensions() + ")");
   }
@@ -105,7 +109,7 @@ const InputShape* same_surface(const InputShape& shape, const std::vector<InputS
 // apart, because the names of a label map's shapes are longer than its stem.
 std::pair<std::string, bool> stem_of(const fs::path& file) {
   const bool label_map = is_label_map(file);
-  return {label_map ? label_map_stem(file) : file.stem().string(), label_map};
+  return {label_map ? label_map_stem(file) : mesh_stem(file), label_map};
 }
 
 std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind& kind) {
@@ -149,11 +153,12 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{file.stem().string(), file.filename().string(), {}, message_of(e)};
+      result = LeftOut{mesh_stem(file), file.filename().string(), {}, message_of(e)};
     }
   });
   for (auto& result : results) {
     auto* shape = std::get_if<InputShape>(&result);
+    if (shape != nullptr) cohort.notes.insert(cohort.notes.end(), shape->notes.begin(), shape->notes.end());
     if (shape == nullptr)
       cohort.left_out.push_back(std::get<LeftOut>(std::move(result)));
     else if (const InputShape* original = same_surface(*shape, cohort.shapes))
@@ -275,11 +280,12 @@ InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
 InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional<RepairOptions>& repair,
                       const RunContext& ctx) {
   InputShape shape;
-  shape.stem = file.stem().string();
+  shape.stem = mesh_stem(file);
   shape.file_name = file.filename().string();
   MeshFile read = read_mesh(file);
   shape.sha256 = sha256_of_file(file);
   shape.space = read.space.value_or(AnatomicalSpace::lps);
+  for (const Message& note : read.notes) shape.notes.push_back(note.about(shape.file_name));
   try {
     return usable_shape(std::move(shape), std::move(read.soup), unit, repair, ctx);
   } catch (const TopologyError& e) {

@@ -26,6 +26,7 @@ struct InputShape {
   std::optional<int> label = std::nullopt;  ///< set if the shape comes from a label map
   ExtractionReport extraction = {};         ///< set if the shape comes from a label map
   std::optional<RepairReport> repair = std::nullopt;  ///< the changes, if the surface had to be repaired
+  std::vector<Message> notes = {};                    ///< on how the file was read
   Mesh mesh;
 };
 

@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <charconv>
 #include <fstream>
-#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -91,6 +90,11 @@ std::string lower_case(std::string_view text) {
   return out;
 }
 
+std::size_t byte_order_mark(std::string_view bytes) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return bytes.starts_with(mark) ? mark.size() : 0;
+}
+
 bool LineCursor::next() {
   if (offset_ >= bytes_.size()) return false;
   const auto end = bytes_.find('\n', offset_);
@@ -139,47 +143,5 @@ void SpaceTag::see(const Source& source, std::string_view text) {
 }
 
 std::string_view name(AnatomicalSpace space) { return space == AnatomicalSpace::lps ? "LPS" : "RAS"; }
-
-void SoupBuilder::expect(std::uint64_t points, std::uint64_t triangles, std::uint64_t bytes_left,
-                         std::uint64_t point_bytes, std::uint64_t triangle_bytes) {
-  // Halfedges have int indices and there are three per triangle.
-  constexpr std::uint64_t most = std::numeric_limits<int>::max() / 3;
-  if (points > most || triangles > most)
-    source_.refuse("its header announces " + std::to_string(points) + " vertices and " +
-                       std::to_string(triangles) + " faces",
-                   "that is more than foramen can hold: the header is damaged, or simplify the surface");
-  if (points * point_bytes + triangles * triangle_bytes > bytes_left)
-    source_.refuse("its header announces " + std::to_string(points) + " vertices and " +
-                       std::to_string(triangles) + " faces, which need at least " +
-                       std::to_string(points * point_bytes + triangles * triangle_bytes) +
-                       " bytes, but only " + std::to_string(bytes_left) + " follow",
-                   remedy_export_again);
-  soup_.points.reserve(points);
-  soup_.triangles.reserve(triangles);
-}
-
-void SoupBuilder::refuse_point(const std::string& place) const {
-  source_.refuse(place + ": a coordinate is not a finite number",
-                 "remove that vertex in a mesh editor or export the surface again");
-}
-
-void SoupBuilder::refuse_corner(std::int64_t written, std::uint64_t point_count,
-                                const std::string& place) const {
-  source_.refuse(place + ": uses vertex " + std::to_string(written) + ", but there are " +
-                     std::to_string(point_count) + " vertices",
-                 "the file is damaged or was edited by hand: export it again");
-}
-
-TriangleSoup SoupBuilder::take() {
-  if (soup_.triangles.empty())
-    source_.refuse("holds no triangles (" + std::to_string(soup_.points.size()) + " vertices)",
-                   "export the surface, not a point cloud or an empty scene");
-  return std::move(soup_);
-}
-
-void refuse_polygon(const Source& source, const std::string& place, std::uint64_t corners) {
-  source.refuse(place + ": a face with " + std::to_string(corners) + " corners, not a triangle",
-                remedy_triangulate);
-}
 
 }  // namespace foramen::io_detail

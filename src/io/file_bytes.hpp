@@ -41,10 +41,13 @@ std::optional<std::int64_t> to_integer(std::string_view token);
 
 std::string lower_case(std::string_view text);
 
-/// A cursor over lines that end with LF or CRLF.
+/// The number of bytes of the mark of UTF-8 at the beginning of a text: 3 or 0.
+std::size_t byte_order_mark(std::string_view bytes);
+
+/// A cursor over lines that end with LF or CRLF. A byte order mark before the first line is skipped.
 class LineCursor {
  public:
-  explicit LineCursor(std::string_view bytes) : bytes_(bytes) {}
+  explicit LineCursor(std::string_view bytes) : bytes_(bytes), offset_(byte_order_mark(bytes)) {}
   /// Goes to the next line; false at the end.
   bool next();
   /// Goes to the next line that is not blank; false at the end.
@@ -128,43 +131,6 @@ class SpaceTag {
 /// "LPS" or "RAS".
 std::string_view name(AnatomicalSpace space);
 
-/// Collects the points and triangles that a reader finds and checks each of them. `place` returns the
-/// position in the file for error messages, e.g. "line 7".
-class SoupBuilder {
- public:
-  explicit SoupBuilder(const Source& source) : source_(source) {}
-  /// Reserves memory for the numbers that a header states. Refuses numbers that do not fit the ids or for
-  /// which the file is too small. `bytes_left` is the size of the data after the header; `point_bytes` and
-  /// `triangle_bytes` are the least sizes of one point and one triangle.
-  void expect(std::uint64_t points, std::uint64_t triangles, std::uint64_t bytes_left,
-              std::uint64_t point_bytes, std::uint64_t triangle_bytes);
-  template <class Place>
-  void add_point(const Vec3& p, const Place& place) {
-    if (!p.allFinite()) refuse_point(place());
-    soup_.points.push_back(p);
-  }
-  /// Refuses a corner that is not an index of one of `point_count` points.
-  template <class Place>
-  void add_triangle(const std::array<std::int64_t, 3>& t, std::uint64_t point_count, const Place& place) {
-    for (std::int64_t corner : t)
-      if (corner < 0 || static_cast<std::uint64_t>(corner) >= point_count)
-        refuse_corner(corner, point_count, place());
-    soup_.triangles.push_back({static_cast<int>(t[0]), static_cast<int>(t[1]), static_cast<int>(t[2])});
-  }
-  std::size_t points() const { return soup_.points.size(); }
-  std::size_t triangles() const { return soup_.triangles.size(); }
-  /// \param written  the index as it stands in the file
-  [[noreturn]] void refuse_corner(std::int64_t written, std::uint64_t point_count,
-                                  const std::string& place) const;
-  /// Returns the finished soup; refuses one without triangles.
-  TriangleSoup take();
-
- private:
-  [[noreturn]] void refuse_point(const std::string& place) const;
-  const Source& source_;
-  TriangleSoup soup_;
-};
-
 /// Remedies that several readers name in their errors.
 inline constexpr const char* remedy_export_again =
     "the file is damaged or was cut off: export or copy it again";
@@ -172,8 +138,5 @@ inline constexpr const char* remedy_triangulate =
     "triangulate the surface before reading it (e.g. MeshLab: Turn into a Pure Triangular Mesh)";
 inline constexpr const char* remedy_other_format =
     "export the surface as a triangle mesh in PLY, STL, OBJ or OFF";
-
-/// Refuses a face that is not a triangle.
-[[noreturn]] void refuse_polygon(const Source& source, const std::string& place, std::uint64_t corners);
 
 }  // namespace foramen::io_detail

@@ -40,9 +40,12 @@ std::string header_text(const std::filesystem::path& path);
 /// The next line of a text header; refuses a line too long for a header.
 std::string_view header_line(const Source& source, LineCursor& lines);
 
-/// The data file that a header names; a relative path starts from the folder of the header. Refuses a missing
-/// file, a list of files and a pattern of file names.
-std::filesystem::path named_data_file(const Source& source, const std::filesystem::path& header,
-                                      const std::string& name);
+/// The data files that a header names: one file; the word LIST, after which one file name a line follows in
+/// the header; or a pattern with a number, such as "slice_%03d.raw 1 50 1" (first, last, step). A relative
+/// path starts from the folder of the header. Refuses a missing file, and several files that are not in the
+/// folder of the header or below.
+/// \param after  the lines of the header after the field
+std::vector<std::filesystem::path> named_data_files(const Source& source, const std::filesystem::path& header,
+                                                    const std::string& field, LineCursor after);
 
 }  // namespace foramen::io_detail

@@ -1,7 +1,10 @@
 #include "foramen/io/label_map.hpp"
 
+#include <cstdio>
 #include <fstream>
+#include <utility>
 
+#include "io/foreign_file.hpp"
 #include "io/sha256.hpp"
 #include "io/voxel_layout.hpp"
 
@@ -28,16 +31,28 @@ const Format* format_of(const std::filesystem::path& path) {
   return nullptr;
 }
 
-std::string sha256_of(const std::filesystem::path& path, const std::filesystem::path& data_file) {
-  if (data_file == path) return sha256_of_file(path);
+std::string sha256_of(const std::filesystem::path& path,
+                      const std::vector<std::filesystem::path>& data_files) {
+  if (data_files.front() == path) return sha256_of_file(path);
+  std::vector<std::filesystem::path> parts{path};
+  parts.insert(parts.end(), data_files.begin(), data_files.end());
   Sha256 hash;
   std::vector<char> chunk(std::size_t{1} << 20U);
-  for (const auto& part : {path, data_file}) {
+  for (const auto& part : parts) {
     std::ifstream in(part, std::ios::binary);
     while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())), in.gcount() > 0)
       hash.update({chunk.data(), static_cast<std::size_t>(in.gcount())});
   }
   return hash.hex();
+}
+
+std::string rounding_note(double farthest) {
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "its labels are no whole numbers and were rounded, by %.2g at most; they went through "
+                "floating point numbers",
+                farthest);
+  return text;
 }
 
 }  // namespace
@@ -60,6 +75,7 @@ std::string label_map_stem(const std::filesystem::path& path) {
 }
 
 LabelMap read_label_map(const std::filesystem::path& path) {
+  if (std::error_code failed; std::filesystem::is_regular_file(path, failed)) io_detail::refuse_foreign(path);
   const Format* format = format_of(path);
   if (!format) {
     std::string known;
@@ -71,10 +87,15 @@ LabelMap read_label_map(const std::filesystem::path& path) {
   io_detail::check_layout(path, layout);
   LabelMap map;
   for (std::size_t d = 0; d < 3; ++d) map.size[d] = static_cast<int>(layout.size[d]);
-  map.labels = io_detail::read_voxels(path, layout);
+  io_detail::VoxelLabels voxels = io_detail::read_voxels(path, layout);
+  map.labels = std::move(voxels.labels);
+  for (const std::string& note : layout.notes) map.notes.emplace_back(note);
+  // Single precision alone leaves about 1e-6, which is not worth a note.
+  constexpr double worth_saying = 1e-5;
+  if (voxels.farthest_rounded > worth_saying) map.notes.emplace_back(rounding_note(voxels.farthest_rounded));
   map.axes = layout.axes;
   map.origin = layout.origin;
-  map.sha256 = sha256_of(path, layout.data_file);
+  map.sha256 = sha256_of(path, layout.data_files);
   return map;
 }
 

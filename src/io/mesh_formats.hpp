@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "foramen/io/mesh_file.hpp"
-#include "io/file_bytes.hpp"
+#include "io/soup_builder.hpp"
 
 namespace foramen::io_detail {
 
@@ -16,7 +16,7 @@ MeshFile parse_off(const Source& source);
 /// Legacy VTK PolyData.
 MeshFile parse_vtk(const Source& source);
 
-/// VTK XML PolyData: text, inline or appended binary, with or without zlib.
+/// VTK XML PolyData: text, inline or appended binary, with or without compression.
 MeshFile parse_vtp(const Source& source);
 
 /// Throws InvalidInput unless every coordinate is finite in float32 and every corner exists.

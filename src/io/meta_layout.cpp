@@ -30,9 +30,8 @@ bool is_true(const std::string& value) {
   return value.starts_with('T') || value.starts_with('t') || value.starts_with('1');
 }
 
-// Reads the fields up to ElementDataFile, the last one of a header, and returns the position after it.
-std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
-  LineCursor lines(source.bytes);
+// Reads the fields up to ElementDataFile, the last one of a header.
+void parse_fields(const Source& source, LineCursor& lines, HeaderFields& fields) {
   while (!fields.has("elementdatafile")) {
     const std::string_view line = header_line(source, lines);
     if (TokenCursor(line).rest().empty()) continue;
@@ -42,7 +41,15 @@ std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
                     "it is no MetaImage file: check its format and extension");
     fields.add(line.substr(0, equals), line.substr(equals + 1));
   }
-  return static_cast<std::int64_t>(lines.offset());
+}
+
+// The numbers of a square matrix or vector for `dimensions` axes, without those of the axes after the third,
+// which have one voxel.
+std::vector<double> three_axes(const std::vector<double>& numbers, std::size_t dimensions) {
+  std::vector<double> kept;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (i % dimensions < 3 && i / dimensions < 3) kept.push_back(numbers[i]);
+  return kept;
 }
 
 // The first of these fields that the header has; MetaImage has several names for some fields.
@@ -53,13 +60,13 @@ std::string first_of(const HeaderFields& fields, std::initializer_list<const cha
 }
 
 // Sets the axes and the origin in LPS. A header without a matrix means the axes of the space.
-void set_geometry(const HeaderFields& fields, VoxelLayout& layout) {
-  const auto spacing = fields.numbers(first_of(fields, {"elementspacing", "elementsize"}), 3);
-  const auto origin = fields.numbers(first_of(fields, {"offset", "position", "origin"}), 3);
+void set_geometry(const HeaderFields& fields, std::size_t dimensions, VoxelLayout& layout) {
+  const auto spacing = fields.numbers(first_of(fields, {"elementspacing", "elementsize"}), dimensions);
+  const auto origin = fields.numbers(first_of(fields, {"offset", "position", "origin"}), dimensions);
   layout.axes = Mat3::Identity();
   const std::string matrix = first_of(fields, {"transformmatrix", "rotation", "orientation"});
   if (fields.has(matrix)) {
-    const auto entries = fields.numbers(matrix, 9);
+    const auto entries = three_axes(fields.numbers(matrix, dimensions * dimensions), dimensions);
     for (int axis = 0; axis < 3; ++axis)
       for (int row = 0; row < 3; ++row) layout.axes(row, axis) = entries[3 * axis + row];
   }
@@ -69,6 +76,28 @@ void set_geometry(const HeaderFields& fields, VoxelLayout& layout) {
   }
 }
 
+// Sets where the data are. HeaderSize = -1 means that they are the last bytes of their file.
+void set_data(const Source& source, const std::filesystem::path& path, const HeaderFields& fields,
+              const LineCursor& after, VoxelLayout& layout) {
+  layout.offset = static_cast<std::int64_t>(after.offset());
+  layout.data_files = {path};
+  const std::string file = fields.text("elementdatafile");
+  if (lower_case(file) != "local") {
+    layout.data_files = named_data_files(source, path, file, after);
+    layout.offset = 0;
+  }
+  const bool packed = is_true(fields.text("compresseddata", "False"));
+  if (packed) layout.packing = ByteStream::Packing::deflate;
+  if (const std::int64_t skipped = fields.has("headersize") ? fields.integer("headersize") : 0; skipped > 0)
+    layout.offset = skipped;
+  else if (skipped == -1 && !packed)
+    layout.at_end = true;
+  else if (skipped != 0)
+    source.refuse("its HeaderSize is " + std::to_string(skipped) + (packed ? " of compressed data" : ""),
+                  "save it as one .mha file");
+  set_packing_by_content(layout);
+}
+
 }  // namespace
 
 VoxelLayout meta_layout(const std::filesystem::path& path) {
@@ -76,35 +105,34 @@ VoxelLayout meta_layout(const std::filesystem::path& path) {
   const Source source{path.string(), header};
   HeaderFields fields(source);
   VoxelLayout layout;
-  layout.offset = parse_fields(source, fields);
-  layout.data_file = path;
+  LineCursor lines(source.bytes);
+  parse_fields(source, lines, fields);
   if (lower_case(fields.text("objecttype", "image")) != "image")
     source.refuse("holds an object of type " + in_quotes(fields.text("objecttype")),
                   "a label map is an Image");
-  if (fields.integer("ndims") != 3)
-    source.refuse("is an image of " + std::to_string(fields.integer("ndims")) + " dimensions",
+  const std::int64_t dimensions = fields.integer("ndims");
+  const auto sizes = fields.integers("dimsize");
+  constexpr std::int64_t most_dimensions = 10;
+  if (dimensions < 3 || dimensions > most_dimensions ||
+      std::any_of(sizes.begin() + std::min<std::ptrdiff_t>(3, std::ssize(sizes)), sizes.end(),
+                  [](std::int64_t length) { return length != 1; }))
+    source.refuse("is an image of " + std::to_string(dimensions) + " dimensions",
                   "a label map has three: save one volume of it");
+  if (std::ssize(sizes) != dimensions)
+    source.refuse("its header has " + std::to_string(sizes.size()) + " sizes for " +
+                      std::to_string(dimensions) + " dimensions",
+                  remedy_export_again);
   if (fields.has("elementnumberofchannels") && fields.integer("elementnumberofchannels") != 1)
     source.refuse("has " + fields.text("elementnumberofchannels") + " numbers a voxel (colours or vectors)",
                   "a label map holds one whole number a voxel");
-  const auto sizes = fields.integers("dimsize");
-  if (sizes.size() != 3) source.refuse("its header has not three sizes", remedy_export_again);
-  std::copy(sizes.begin(), sizes.end(), layout.size.begin());
+  std::copy_n(sizes.begin(), 3, layout.size.begin());
   layout.type = type_of(source, fields.text("elementtype"));
   const std::string order = first_of(fields, {"binarydatabyteordermsb", "elementbyteordermsb"});
   layout.order = is_true(fields.text(order, "False")) ? ByteOrder::big : ByteOrder::little;
-  set_geometry(fields, layout);
+  set_geometry(fields, static_cast<std::size_t>(dimensions), layout);
   if (!is_true(fields.text("binarydata", "False")))
     source.refuse("its voxels are written as text", "save it as binary data");
-  if (fields.has("headersize") && fields.integer("headersize") != 0)
-    source.refuse("its data file begins with something else (HeaderSize)", "save it as one .mha file");
-  const std::string file = fields.text("elementdatafile");
-  if (lower_case(file) != "local") {
-    layout.data_file = named_data_file(source, path, file);
-    layout.offset = 0;
-  }
-  if (!is_true(fields.text("compresseddata", "False"))) return layout;
-  layout.packing = ByteStream::Packing::deflate;
+  set_data(source, path, fields, lines, layout);
   return layout;
 }
 

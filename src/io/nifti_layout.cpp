@@ -105,9 +105,12 @@ class NiftiHeader {
     const int dimensions = dims.read<std::int16_t>();
     std::array<std::int64_t, 3> size{};
     for (auto& n : size) n = dims.read<std::int16_t>();
-    // Some programs write additional dimensions of one element each.
+    // Some programs write additional dimensions of one element each, or of none.
     bool three = dimensions >= 3 && dimensions <= 7;
-    for (int d = 3; three && d < dimensions; ++d) three = dims.read<std::int16_t>() == 1;
+    for (int d = 3; three && d < dimensions; ++d) {
+      const int length = dims.read<std::int16_t>();
+      three = length == 0 || length == 1;
+    }
     if (!three)
       source_.refuse("is an image of " + std::to_string(dimensions) + " dimensions",
                      "a label map has three: save one volume of it");
@@ -121,28 +124,51 @@ class NiftiHeader {
     return unit == metre ? 1000 : unit == micrometre ? 0.001 : 1;
   }
 
-  // Takes the sform if there is one, else the qform, and converts it from RAS to LPS.
+  struct Geometry {
+    Mat3 axes;
+    Vec3 origin;
+  };
+
+  // Takes the sform if there is a usable one, else the qform.
   void set_geometry(VoxelLayout& layout) const {
-    constexpr std::size_t qform_at = 252, sform_at = 254, rows_at = 280;
-    if (at<std::int16_t>(sform_at) > 0) {
-      ByteCursor rows(source_.bytes, rows_at, order_);
-      for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 3; ++c) layout.axes(r, c) = rows.read<float>();
-        layout.origin[r] = rows.read<float>();
-      }
-    } else if (at<std::int16_t>(qform_at) > 0) {
-      set_from_quaternion(layout);
-    } else {
+    constexpr std::size_t qform_at = 252, sform_at = 254;
+    const bool has_sform = at<std::int16_t>(sform_at) > 0, has_qform = at<std::int16_t>(qform_at) > 0;
+    if (!has_sform && !has_qform)
       source_.refuse(
           "does not say how it is oriented (neither sform nor qform), so left and right cannot be told",
           "save it with its orientation");
+    Geometry geometry = in_lps(has_sform ? of_matrix() : of_quaternion());
+    if (has_sform && has_qform) {
+      const Geometry other = in_lps(of_quaternion());
+      const auto problem = geometry_problem(geometry.axes, geometry.origin);
+      if (problem && !geometry_problem(other.axes, other.origin)) {
+        geometry = other;
+        layout.notes.push_back("its sform cannot be used (" + problem->found +
+                               "); its qform says where it lies");
+      }
     }
-    const Mat3 lps_from_ras = millimetres_per_unit() * Vec3(-1, -1, 1).asDiagonal().toDenseMatrix();
-    layout.axes = lps_from_ras * layout.axes;
-    layout.origin = lps_from_ras * layout.origin;
+    layout.axes = geometry.axes;
+    layout.origin = geometry.origin;
   }
 
-  void set_from_quaternion(VoxelLayout& layout) const {
+  // From RAS, in the unit of the file.
+  Geometry in_lps(const Geometry& ras) const {
+    const Mat3 lps_from_ras = millimetres_per_unit() * Vec3(-1, -1, 1).asDiagonal().toDenseMatrix();
+    return {lps_from_ras * ras.axes, lps_from_ras * ras.origin};
+  }
+
+  Geometry of_matrix() const {
+    constexpr std::size_t rows_at = 280;
+    ByteCursor rows(source_.bytes, rows_at, order_);
+    Geometry geometry;
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) geometry.axes(r, c) = rows.read<float>();
+      geometry.origin[r] = rows.read<float>();
+    }
+    return geometry;
+  }
+
+  Geometry of_quaternion() const {
     constexpr std::size_t pixdim_at = 76, quaternion_at = 256;
     ByteCursor sizes(source_.bytes, pixdim_at, order_), values(source_.bytes, quaternion_at, order_);
     const double handedness = sizes.read<float>() < 0 ? -1 : 1;
@@ -151,8 +177,10 @@ class NiftiHeader {
     spacing.z() *= handedness;
     const double b = values.read<float>(), c = values.read<float>(), d = values.read<float>();
     const double a = std::sqrt(std::max(0.0, 1 - (b * b + c * c + d * d)));
-    layout.axes = Eigen::Quaterniond(a, b, c, d).normalized().toRotationMatrix() * spacing.asDiagonal();
-    for (double& o : layout.origin) o = values.read<float>();
+    Geometry geometry;
+    geometry.axes = Eigen::Quaterniond(a, b, c, d).normalized().toRotationMatrix() * spacing.asDiagonal();
+    for (double& o : geometry.origin) o = values.read<float>();
+    return geometry;
   }
 
   const Source& source_;
@@ -163,14 +191,15 @@ class NiftiHeader {
 
 VoxelLayout nifti_layout(const std::filesystem::path& path) {
   require_readable(path);
-  const auto packing = lower_case(path.extension().string()) == ".gz" ? ByteStream::Packing::deflate
-                                                                      : ByteStream::Packing::none;
+  VoxelLayout whole;
+  whole.data_files = {path};
+  set_packing_by_content(whole);
   std::string header(header_bytes, '\0');
-  header.resize(ByteStream(path, 0, packing).read(header.data(), header.size()));
+  header.resize(ByteStream(path, 0, whole.packing).read(header.data(), header.size()));
   const Source source{path.string(), header};
   VoxelLayout layout = NiftiHeader(source).layout();
-  layout.data_file = path;
-  layout.packing = packing;
+  layout.data_files = whole.data_files;
+  layout.packing = whole.packing;
   return layout;
 }
 

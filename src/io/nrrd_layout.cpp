@@ -1,6 +1,9 @@
 // NRRD, https://teem.sourceforge.net/nrrd/format.html
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "io/header_fields.hpp"
 #include "io/voxel_layout.hpp"
@@ -35,14 +38,14 @@ NumberType type_of(const Source& source, const std::string& written) {
   source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
 }
 
-// Reads the fields up to the blank line, or to the end of a header whose data are in another file.
-std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
-  LineCursor lines(source.bytes);
+// Reads the fields up to the blank line, to a list of data files, or to the end of a header whose data are in
+// another file.
+void parse_fields(const Source& source, LineCursor& lines, HeaderFields& fields) {
   if (!header_line(source, lines).starts_with("NRRD000"))
     source.refuse("does not begin with 'NRRD000'", "it is no NRRD file: check its format and extension");
   while (lines.remaining() > 0) {
     const std::string_view line = header_line(source, lines);
-    if (line.empty()) return static_cast<std::int64_t>(lines.offset());
+    if (line.empty()) return;
     if (line.front() == '#' || line.find(":=") != std::string_view::npos) continue;
     const auto colon = line.find(": ");
     if (colon == std::string_view::npos)
@@ -51,9 +54,9 @@ std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
     // Keys are written with and without a blank, e.g. "space directions" and "spacedirections".
     std::erase(key, ' ');
     fields.add(key, line.substr(colon + 2));
+    if (key == "datafile" && lower_case(TokenCursor(fields.text(key)).next()) == "list") return;
   }
   if (!fields.has("datafile")) source.refuse("its header does not end", remedy_export_again);
-  return static_cast<std::int64_t>(lines.offset());
 }
 
 // foramen measures in mm, so a header that names another unit is refused.
@@ -84,12 +87,80 @@ Vec3 lps_signs(const Source& source, const HeaderFields& fields) {
       "save it with its orientation in left-posterior-superior or right-anterior-superior");
 }
 
-void set_geometry(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
+// The directions of all axes; nullopt for an axis that has none. Refuses what is no direction.
+std::vector<std::optional<Vec3>> directions_of(const Source& source, const HeaderFields& fields) {
+  const std::string key = "spacedirections";
+  std::string_view rest = TokenCursor(fields.text(key)).rest();
+  const auto refuse = [&] {
+    source.refuse("its header has " + in_quotes(fields.text(key)) + " as " + key + ", not three directions",
+                  remedy_export_again);
+  };
+  std::vector<std::optional<Vec3>> directions;
+  while (!rest.empty()) {
+    constexpr std::string_view none = "none";
+    const bool absent = lower_case(rest.substr(0, none.size())) == none;
+    const auto close = rest.find(')');
+    if (!absent && (rest.front() != '(' || close == std::string_view::npos)) refuse();
+    const std::size_t length = absent ? none.size() : close + 1;
+    std::string numbers(absent ? std::string_view() : rest.substr(1, close - 1));
+    std::replace(numbers.begin(), numbers.end(), ',', ' ');
+    TokenCursor words(numbers);
+    Vec3 direction = Vec3::Zero();
+    for (double& value : direction) {
+      const auto number = absent ? 0.0 : to_number(words.next());
+      if (!number) refuse();
+      value = *number;
+    }
+    if (!words.rest().empty()) refuse();
+    directions.push_back(direction.allFinite() && !absent ? std::optional(direction) : std::nullopt);
+    rest = TokenCursor(rest.substr(length)).rest();
+  }
+  return directions;
+}
+
+// Takes the three axes that have a direction. Further axes, without one, must have a single voxel.
+void set_axes(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
+  const std::int64_t dimensions = fields.integer("dimension");
+  const auto refuse_dimensions = [&] {
+    source.refuse(
+        "is an image of " + std::to_string(dimensions) + " dimensions (colours and vectors count as one)",
+        "a label map has three: save one volume of it");
+  };
+  if (dimensions < 3) refuse_dimensions();
+  const auto sizes = fields.integers("sizes");
+  if (std::ssize(sizes) != dimensions)
+    source.refuse(
+        dimensions == 3 ? "its header has not three sizes" : "its header has not a size for each dimension",
+        remedy_export_again);
   const Vec3 signs = lps_signs(source, fields);
-  const auto directions = fields.numbers("spacedirections", 9), origin = fields.numbers("spaceorigin", 3);
-  for (int axis = 0; axis < 3; ++axis)
-    for (int row = 0; row < 3; ++row) layout.axes(row, axis) = signs[row] * directions[3 * axis + row];
+  const auto directions = directions_of(source, fields);
+  std::size_t taken = 0;
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
+    const bool placed = axis < directions.size() && directions[axis];
+    if (!placed && dimensions > 3 && sizes[axis] == 1) continue;
+    if (!placed && dimensions == 3)
+      source.refuse("its header has " + in_quotes(fields.text("spacedirections")) +
+                        " as spacedirections, not three directions",
+                    remedy_export_again);
+    if (!placed || taken == 3) refuse_dimensions();
+    layout.size[taken] = sizes[axis];
+    layout.axes.col(static_cast<int>(taken++)) = signs.cwiseProduct(*directions[axis]);
+  }
+  if (taken != 3) refuse_dimensions();
+  const auto origin = fields.numbers("spaceorigin", 3);
   for (int row = 0; row < 3; ++row) layout.origin[row] = signs[row] * origin[row];
+}
+
+// Byte skip -1 means that the data are the last bytes of their file.
+void set_skipped(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
+  const std::int64_t lines = fields.has("lineskip") ? fields.integer("lineskip") : 0,
+                     bytes = fields.has("byteskip") ? fields.integer("byteskip") : 0;
+  if (lines != 0 || bytes < -1 || (bytes == -1 && layout.packing != ByteStream::Packing::none))
+    source.refuse("its data file begins with something else (" +
+                      std::string(lines != 0 ? "line skip" : "byte skip") + ")",
+                  "save it as one .nrrd file");
+  layout.at_end = bytes == -1;
+  layout.skipped = std::max<std::int64_t>(0, bytes);
 }
 
 ByteOrder byte_order(const Source& source, const HeaderFields& fields, const NumberType& type) {
@@ -107,33 +178,26 @@ VoxelLayout nrrd_layout(const std::filesystem::path& path) {
   const Source source{path.string(), header};
   HeaderFields fields(source);
   VoxelLayout layout;
-  layout.offset = parse_fields(source, fields);
-  layout.data_file = path;
-  if (fields.integer("dimension") != 3)
-    source.refuse("is an image of " + std::to_string(fields.integer("dimension")) +
-                      " dimensions (colours and vectors count as one)",
-                  "a label map has three: save one volume of it");
-  const auto sizes = fields.integers("sizes");
-  if (sizes.size() != 3) source.refuse("its header has not three sizes", remedy_export_again);
-  std::copy(sizes.begin(), sizes.end(), layout.size.begin());
+  LineCursor lines(source.bytes);
+  parse_fields(source, lines, fields);
+  set_axes(source, fields, layout);
   layout.type = type_of(source, fields.text("type"));
   layout.order = byte_order(source, fields, layout.type);
   require_millimetres(source, fields);
-  set_geometry(source, fields, layout);
   const std::string encoding = lower_case(fields.text("encoding"));
   if (encoding == "gzip" || encoding == "gz")
     layout.packing = ByteStream::Packing::deflate;
   else if (encoding != "raw")
     source.refuse("its voxels are encoded as " + in_quotes(encoding),
                   "save it with the encoding gzip or raw");
-  for (const char* skip : {"lineskip", "byteskip"})
-    if (fields.has(skip) && fields.integer(skip) != 0)
-      source.refuse("its data file begins with something else (" + std::string(skip) + ")",
-                    "save it as one .nrrd file");
+  layout.offset = static_cast<std::int64_t>(lines.offset());
+  layout.data_files = {path};
   if (fields.has("datafile")) {
-    layout.data_file = named_data_file(source, path, fields.text("datafile"));
+    layout.data_files = named_data_files(source, path, fields.text("datafile"), lines);
     layout.offset = 0;
   }
+  set_skipped(source, fields, layout);
+  set_packing_by_content(layout);
   return layout;
 }
 

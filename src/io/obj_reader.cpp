@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "io/mesh_formats.hpp"
@@ -7,52 +9,72 @@
 namespace foramen::io_detail {
 namespace {
 
-// Keywords that do not change the surface: textures, normals, names, materials, points and lines.
-constexpr std::array<std::string_view, 14> ignored_keywords{
-    "vt", "vn", "vp", "g", "o", "s", "mg", "p", "usemtl", "mtllib", "usemap", "l", "maplib", "bevel"};
+// Keywords that do not change the surface: textures, normals, names, materials and how they are displayed.
+constexpr std::array<std::string_view, 17> ignored_keywords{
+    "vt",     "vn",     "vp",    "g",   "o",        "s",        "mg",         "usemtl",   "mtllib",
+    "usemap", "maplib", "bevel", "lod", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
 class ObjParser {
  public:
   explicit ObjParser(const Source& source) : source_(source), lines_(source.bytes), soup_(source) {}
 
   MeshFile parse() {
-    while (lines_.next_filled()) parse_line();
+    while (next_line()) parse_line();
     for (const Face& face : faces_) {
       const auto place = [&] { return "line " + std::to_string(face.line); };
-      for (std::int64_t corner : face.corners)  // the file counts vertices from 1
+      const std::span corners(corners_.data() + face.first_corner, face.corners);
+      for (std::int64_t corner : corners)  // the file counts vertices from 1
         if (static_cast<std::size_t>(corner) >= soup_.points())
           soup_.refuse_corner(corner + 1, soup_.points(), place());
-      soup_.add_triangle(face.corners, soup_.points(), place);
+      soup_.add_face(corners, soup_.points(), place);
     }
-    return {soup_.take(), space_.value()};
+    return soup_.finish(space_.value());
   }
 
  private:
   struct Face {
-    std::array<std::int64_t, 3> corners;  // from 0; vertices may still follow in the file
+    std::size_t first_corner, corners;  // in corners_
     std::size_t line;
   };
 
+  // Goes to the next line that is not blank; joins it with those on which a backslash at its end continues
+  // it.
+  bool next_line() {
+    if (!lines_.next_filled()) return false;
+    line_ = lines_.line();
+    number_ = lines_.number();
+    if (!TokenCursor(line_).rest().ends_with('\\')) return true;
+    joined_.clear();
+    for (std::string_view part = TokenCursor(line_).rest();; part = TokenCursor(lines_.line()).rest()) {
+      const bool continued = part.ends_with('\\');
+      joined_.append(part.substr(0, part.size() - (continued ? 1 : 0))).append(" ");
+      if (!continued || !lines_.next()) break;
+    }
+    line_ = joined_;
+    return true;
+  }
+  std::string place() const { return "line " + std::to_string(number_); }
+
   [[noreturn]] void refuse(const std::string& found, const char* remedy = remedy_export_again) const {
-    source_.refuse(lines_.place() + ": " + found, remedy);
+    source_.refuse(place() + ": " + found, remedy);
   }
 
   void parse_line() {
-    const std::string_view line = lines_.line();
-    TokenCursor words(line);
+    TokenCursor words(line_);
     const std::string_view keyword = words.next();
     if (keyword.starts_with('#')) {
-      space_.see(source_, line);
+      space_.see(source_, line_);
       return;
     }
-    if (words.rest().ends_with('\\'))
-      refuse("a line continued on the next one", "export the surface again, one face a line");
+    if (keyword.empty()) return;  // a line of backslashes alone
     if (keyword == "v")
       parse_vertex(words);
-    else if (keyword == "f")
+    else if (keyword == "f" || keyword == "fo")
       parse_face(words);
+    else if (keyword == "p" || keyword == "l")
+      soup_.pass_over_loose(1);
     else if (std::find(ignored_keywords.begin(), ignored_keywords.end(), keyword) == ignored_keywords.end())
-      refuse("unknown line " + in_quotes(line), remedy_other_format);
+      refuse("unknown line " + in_quotes(line_), remedy_other_format);
   }
 
   // A vertex is x y z, followed by nothing, by a weight of 1 or by a colour.
@@ -67,7 +89,7 @@ class ObjParser {
       refuse("a vertex of " + std::to_string(values.size()) + " numbers instead of 3");
     if (values.size() == 4 && values[3] != 1)
       refuse("a vertex with a weight other than 1", remedy_other_format);
-    soup_.add_point({values[0], values[1], values[2]}, [&] { return lines_.place(); });
+    soup_.add_point({values[0], values[1], values[2]}, [&] { return place(); });
   }
 
   // A corner is v, v/vt, v//vn or v/vt/vn with integers. A negative v counts back from the last vertex so
@@ -86,19 +108,16 @@ class ObjParser {
     }
     const auto known = static_cast<std::int64_t>(soup_.points());
     if (vertex > 0) return vertex - 1;
-    if (-vertex > known) soup_.refuse_corner(vertex, soup_.points(), lines_.place());
+    if (-vertex > known) soup_.refuse_corner(vertex, soup_.points(), place());
     return known + vertex;
   }
 
   void parse_face(TokenCursor words) {
-    Face face{{}, lines_.number()};
-    std::size_t corners = 0;
+    Face face{corners_.size(), 0, number_};
     for (std::string_view word = words.next(); !word.empty() && !word.starts_with('#'); word = words.next()) {
-      const std::int64_t corner = parse_corner(word);
-      if (corners < 3) face.corners[corners] = corner;
-      ++corners;
+      corners_.push_back(parse_corner(word));
     }
-    if (corners != 3) refuse_polygon(source_, lines_.place(), corners);
+    face.corners = corners_.size() - face.first_corner;
     faces_.push_back(face);
   }
 
@@ -106,7 +125,11 @@ class ObjParser {
   LineCursor lines_;
   SoupBuilder soup_;
   SpaceTag space_;
-  std::vector<Face> faces_;
+  std::vector<Face> faces_;  // their vertices may still follow in the file
+  std::vector<std::int64_t> corners_;
+  std::string_view line_;
+  std::size_t number_ = 0;  // of the first line of line_
+  std::string joined_;
 };
 
 }  // namespace

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "io/mesh_formats.hpp"
 
@@ -12,12 +14,12 @@ class OffParser {
   MeshFile parse() {
     parse_keyword();
     const auto [vertices, faces] = parse_counts();
-    constexpr std::uint64_t shortest_vertex = 6, shortest_face = 8;  // "0 0 0\n", "3 0 1 2\n"
+    constexpr std::uint64_t shortest_vertex = 6, shortest_face = 2;  // "0 0 0\n", "0\n"
     soup_.expect(vertices, faces, lines_.remaining() + 1, shortest_vertex, shortest_face);
     for (std::uint64_t v = 0; v < vertices; ++v) parse_vertex(v, vertices);
     for (std::uint64_t f = 0; f < faces; ++f) parse_face(f, faces, vertices);
-    if (next_line()) refuse("data after the last face, " + in_quotes(line_));
-    return {soup_.take(), space_.value()};
+    if (next_line()) soup_.pass_over_trailing(line_.size() + lines_.remaining());
+    return soup_.finish(space_.value());
   }
 
  private:
@@ -49,10 +51,13 @@ class OffParser {
   void parse_keyword() {
     need_line("the word 'OFF'");
     const std::string_view keyword = words_.next();
-    if (keyword != "OFF") {
+    // Texture coordinates, colours and normals follow the coordinates of a vertex.
+    constexpr std::array<std::string_view, 8> read{"OFF",   "COFF",   "NOFF",   "CNOFF",
+                                                   "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+    if (std::find(read.begin(), read.end(), keyword) == read.end()) {
       if (keyword.ends_with("OFF"))
         refuse("the variant " + in_quotes(keyword) + " is not read",
-               "save it as plain OFF, without normals, colours or weights");
+               "save it as plain OFF in three dimensions");
       refuse("expected 'OFF', found " + in_quotes(keyword),
              "it is no OFF file: check its format and extension");
     }
@@ -80,36 +85,37 @@ class OffParser {
                in_quotes(line_));
       point[k] = *value;
     }
-    if (!words_.rest().empty()) refuse("more than three numbers for vertex " + std::to_string(index));
+    for (std::string_view word = words_.next(); !word.empty(); word = words_.next())
+      if (!to_number(word))
+        refuse("unexpected " + in_quotes(word) + " after vertex " + std::to_string(index));
     soup_.add_point(point, [&] { return lines_.place(); });
   }
 
-  // A face is "3 i j k", optionally followed by a colour of up to four numbers.
+  // A face is "3 i j k", or another number of corners, optionally followed by a colour of up to four numbers.
   void parse_face(std::uint64_t index, std::uint64_t count, std::uint64_t vertices) {
     need_line("face " + std::to_string(index) + " of " + std::to_string(count));
     const auto corner_count = to_integer(words_.next());
     if (!corner_count || *corner_count < 0)
       refuse("expected a face such as '3 0 1 2', found " + in_quotes(line_));
-    if (*corner_count != 3)
-      refuse_polygon(source_, lines_.place(), static_cast<std::uint64_t>(*corner_count));
-    std::array<std::int64_t, 3> corners{};
-    for (std::int64_t& corner : corners) {
+    corners_.clear();
+    for (std::int64_t k = 0; k < *corner_count; ++k) {
       const auto value = to_integer(words_.next());
       if (!value) refuse("expected a face such as '3 0 1 2', found " + in_quotes(line_));
-      corner = *value;
+      corners_.push_back(*value);
     }
     constexpr int longest_colour = 4;
     int extra = 0;
     for (std::string_view word = words_.next(); !word.empty(); word = words_.next(), ++extra)
       if (extra == longest_colour || !to_number(word))
         refuse("unexpected " + in_quotes(word) + " after face " + std::to_string(index));
-    soup_.add_triangle(corners, vertices, [&] { return lines_.place(); });
+    soup_.add_face(corners_, vertices, [&] { return lines_.place(); });
   }
 
   const Source& source_;
   LineCursor lines_;
   SoupBuilder soup_;
   SpaceTag space_;
+  std::vector<std::int64_t> corners_;  // of the present face
   std::string_view line_;
   TokenCursor words_{std::string_view()};
 };

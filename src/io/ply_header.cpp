@@ -28,6 +28,8 @@ constexpr std::array<TypeName, 16> type_names{{{"char", PlyScalar::i8},
                                                {"double", PlyScalar::f64},
                                                {"float64", PlyScalar::f64}}};
 
+bool is_comment(std::string_view keyword) { return keyword == "comment" || keyword == "obj_info"; }
+
 constexpr const char* remedy_header = "its PLY header is not valid: export the surface again";
 
 class HeaderParser {
@@ -35,7 +37,7 @@ class HeaderParser {
   HeaderParser(const Source& source, LineCursor& lines) : source_(source), lines_(lines) {}
 
   PlyHeader parse() {
-    if (!lines_.next() || lines_.line() != "ply")
+    if (!lines_.next() || TokenCursor(lines_.line()).rest() != "ply")
       source_.refuse("does not begin with the line 'ply'",
                      "it is no PLY file: check its format and extension");
     parse_format();
@@ -57,9 +59,15 @@ class HeaderParser {
   }
 
   void parse_format() {
-    if (!lines_.next()) refuse("the header ends after 'ply'");
-    TokenCursor words(lines_.line());
-    const std::string_view keyword = words.next(), encoding = words.next(), version = words.next();
+    TokenCursor words{std::string_view()};
+    std::string_view keyword;
+    do {
+      if (!lines_.next()) refuse("the header ends before 'format'");
+      words = TokenCursor(lines_.line());
+      keyword = words.next();
+      if (is_comment(keyword)) space_.see(source_, lines_.line());
+    } while (keyword.empty() || is_comment(keyword));
+    const std::string_view encoding = words.next(), version = words.next();
     if (keyword != "format") refuse("expected 'format', found " + in_quotes(lines_.line()));
     if (encoding == "ascii")
       header_.encoding = PlyEncoding::ascii;
@@ -73,7 +81,8 @@ class HeaderParser {
   }
 
   void parse_line(std::string_view keyword, TokenCursor& words) {
-    if (keyword == "comment" || keyword == "obj_info")
+    if (keyword.empty()) return;
+    if (is_comment(keyword))
       space_.see(source_, lines_.line());
     else if (keyword == "element")
       parse_element(words);

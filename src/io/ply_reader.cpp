@@ -1,5 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "io/mesh_formats.hpp"
 #include "io/ply_header.hpp"
@@ -7,25 +11,48 @@
 namespace foramen::io_detail {
 namespace {
 
-// The elements and properties of a PLY file that make up the surface.
-struct Layout {
-  std::size_t vertex_element = 0, face_element = 0;
-  std::array<std::size_t, 3> coordinates{};  // properties of the vertex element
-  std::size_t corners = 0;                   // property of the face element
+// An element of lists of corners: faces, or strips in which -1 begins a new strip.
+struct CornerLists {
+  std::size_t element = 0, property = 0;
+  bool strips = false;
 };
 
-std::size_t find_element(const Source& source, const PlyHeader& header, const std::string& name) {
+// The elements and properties of a PLY file that make up the surface.
+struct Layout {
+  std::size_t vertex_element = 0;
+  std::array<std::size_t, 3> coordinates{};  // properties of the vertex element
+  std::vector<CornerLists> surface;
+  const CornerLists* lists_of(std::size_t element) const {
+    for (const CornerLists& lists : surface)
+      if (lists.element == element) return &lists;
+    return nullptr;
+  }
+};
+
+std::optional<std::size_t> find_element(const PlyHeader& header, const std::string& name) {
   for (std::size_t i = 0; i < header.elements.size(); ++i)
     if (header.elements[i].name == name) return i;
-  source.refuse("its header declares no element '" + name + "'",
-                name == "face" ? "it is a point cloud or holds strips: export the surface as triangles"
-                               : "export the surface again");
+  return std::nullopt;
+}
+
+std::size_t find_corners(const Source& source, const PlyElement& element) {
+  std::size_t corners = 0, lists = 0;
+  for (std::size_t i = 0; i < element.properties.size(); ++i)
+    if (element.properties[i].name == "vertex_indices" || element.properties[i].name == "vertex_index") {
+      corners = i;
+      ++lists;
+    }
+  if (lists != 1 || !element.properties[corners].count_type || !is_integer(element.properties[corners].type))
+    source.refuse("its faces have no single list 'vertex_indices' (or 'vertex_index') of integers",
+                  "export the surface again as triangles");
+  return corners;
 }
 
 Layout find_layout(const Source& source, const PlyHeader& header) {
   Layout layout;
-  layout.vertex_element = find_element(source, header, "vertex");
-  layout.face_element = find_element(source, header, "face");
+  const auto vertices = find_element(header, "vertex");
+  if (!vertices) source.refuse("its header declares no element 'vertex'", "export the surface again");
+  layout.vertex_element = *vertices;
   const auto& vertex = header.elements[layout.vertex_element].properties;
   constexpr std::array<const char*, 3> axes{"x", "y", "z"};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -35,16 +62,12 @@ Layout find_layout(const Source& source, const PlyHeader& header) {
       source.refuse(std::string("its vertices have no number '") + axes[k] + "'", "export the surface again");
     layout.coordinates[k] = i;
   }
-  const auto& face = header.elements[layout.face_element].properties;
-  std::size_t lists = 0;
-  for (std::size_t i = 0; i < face.size(); ++i)
-    if (face[i].name == "vertex_indices" || face[i].name == "vertex_index") {
-      layout.corners = i;
-      ++lists;
-    }
-  if (lists != 1 || !face[layout.corners].count_type || !is_integer(face[layout.corners].type))
-    source.refuse("its faces have no single list 'vertex_indices' (or 'vertex_index') of integers",
-                  "export the surface again as triangles");
+  for (const auto& [name, strips] : {std::pair("face", false), std::pair("tristrips", true)})
+    if (const auto element = find_element(header, name))
+      layout.surface.push_back({*element, find_corners(source, header.elements[*element]), strips});
+  if (layout.surface.empty())
+    source.refuse("its header declares no element 'face'",
+                  "it is a point cloud: export the surface as triangles");
   return layout;
 }
 
@@ -71,10 +94,11 @@ class TextRows {
   double number(PlyScalar) { return parse(to_number(tokens_.next()), "a number"); }
   std::int64_t integer(PlyScalar) { return parse(to_integer(tokens_.next()), "an integer"); }
   std::string place() const { return lines_.place(); }
-  void end_body() {
-    if (lines_.next_filled())
-      source_.refuse(place() + ": data after the last element, " + in_quotes(lines_.line()),
-                     remedy_export_again);
+  /// The number of bytes after the last element, without blank lines.
+  std::uint64_t trailing() {
+    std::uint64_t bytes = 0;
+    while (lines_.next_filled()) bytes += lines_.line().size();
+    return bytes;
   }
 
  private:
@@ -115,12 +139,10 @@ class BinaryRows {
     return read_integer(type);
   }
   std::string place() const { return *element_ + " " + std::to_string(row_); }
-  void end_body() {
-    if (bytes_.remaining() > 0)
-      source_.refuse(std::to_string(bytes_.remaining()) +
-                         " bytes of data after the last element, from byte " +
-                         std::to_string(bytes_.offset()),
-                     remedy_export_again);
+  /// The number of bytes after the last element, without line ends.
+  std::uint64_t trailing() const {
+    const std::string_view rest = source_.bytes.substr(bytes_.offset());
+    return rest.find_first_not_of("\r\n") == std::string_view::npos ? 0 : rest.size();
   }
 
  private:
@@ -201,45 +223,52 @@ void read_vertex(const Source& source, Rows& rows, const PlyElement& element, co
 }
 
 template <class Rows>
-void read_face(const Source& source, Rows& rows, const PlyElement& element, const Layout& layout,
-               std::uint64_t vertex_count, SoupBuilder& soup) {
-  std::array<std::int64_t, 3> corners{};
+void read_face(const Source& source, Rows& rows, const PlyElement& element, const CornerLists& lists,
+               std::uint64_t vertex_count, std::vector<std::int64_t>& corners, SoupBuilder& soup) {
+  corners.clear();
   for (std::size_t i = 0; i < element.properties.size(); ++i) {
     const PlyProperty& property = element.properties[i];
-    if (i != layout.corners) {
+    if (i != lists.property) {
       skip_property(source, rows, property);
       continue;
     }
     const std::int64_t length = list_length(source, rows, property);
-    if (length != 3) refuse_polygon(source, rows.place(), static_cast<std::uint64_t>(length));
-    for (std::int64_t& corner : corners) corner = rows.integer(property.type);
+    for (std::int64_t k = 0; k < length; ++k) corners.push_back(rows.integer(property.type));
   }
-  soup.add_triangle(corners, vertex_count, [&] { return rows.place(); });
+  const auto place = [&] { return rows.place(); };
+  if (!lists.strips) return soup.add_face(corners, vertex_count, place);
+  for (auto begin = corners.begin(); begin != corners.end();) {
+    const auto end = std::find(begin, corners.end(), -1);
+    soup.add_strip({begin, end}, vertex_count, place);
+    begin = end == corners.end() ? end : end + 1;
+  }
 }
 
 template <class Rows>
-TriangleSoup read_body(const Source& source, const PlyHeader& header, Rows rows) {
+MeshFile read_body(const Source& source, const PlyHeader& header, Rows rows) {
   const Layout layout = find_layout(source, header);
   check_size(source, header, rows);
   SoupBuilder soup(source);
   const PlyElement& vertex = header.elements[layout.vertex_element];
-  const PlyElement& face = header.elements[layout.face_element];
+  const PlyElement& face = header.elements[layout.surface.front().element];
   soup.expect(vertex.count, face.count, rows.remaining(), Rows::least_bytes(vertex), Rows::least_bytes(face));
+  std::vector<std::int64_t> corners;
   for (std::size_t e = 0; e < header.elements.size(); ++e) {
     const PlyElement& element = header.elements[e];
+    const CornerLists* lists = layout.lists_of(e);
     for (std::uint64_t row = 0; row < element.count; ++row) {
       rows.begin_row(element, row);
       if (e == layout.vertex_element)
         read_vertex(source, rows, element, layout, soup);
-      else if (e == layout.face_element)
-        read_face(source, rows, element, layout, vertex.count, soup);
+      else if (lists != nullptr)
+        read_face(source, rows, element, *lists, vertex.count, corners, soup);
       else
         for (const PlyProperty& property : element.properties) skip_property(source, rows, property);
       rows.end_row();
     }
   }
-  rows.end_body();
-  return soup.take();
+  soup.pass_over_trailing(rows.trailing());
+  return soup.finish(header.space);
 }
 
 }  // namespace
@@ -247,11 +276,10 @@ TriangleSoup read_body(const Source& source, const PlyHeader& header, Rows rows)
 MeshFile parse_ply(const Source& source) {
   LineCursor lines(source.bytes);
   const PlyHeader header = parse_ply_header(source, lines);
-  if (header.encoding == PlyEncoding::ascii)
-    return {read_body(source, header, TextRows(source, lines)), header.space};
+  if (header.encoding == PlyEncoding::ascii) return read_body(source, header, TextRows(source, lines));
   const ByteOrder order =
       header.encoding == PlyEncoding::binary_little_endian ? ByteOrder::little : ByteOrder::big;
-  return {read_body(source, header, BinaryRows(source, lines.offset(), order)), header.space};
+  return read_body(source, header, BinaryRows(source, lines.offset(), order));
 }
 
 }  // namespace foramen::io_detail

@@ -50,8 +50,13 @@ class SubjectReader {
       : source_(source), place_("subject " + std::to_string(index + 1)) {
     if (!json.is_object()) refuse("is no object");
     for (const auto& [key, value] : json.items()) {
-      if (!value.is_string()) refuse("its " + io_detail::in_quotes(key) + " is no text");
-      texts_[key] = value.get<std::string>();
+      if (value.is_string())
+        texts_[key] = value.get<std::string>();
+      else if (value.is_primitive() &&
+               !value.is_null())  // a number or a yes or no, by programs not ShapeWorks
+        texts_[key] = value.dump();
+      else if (!value.is_null())
+        not_texts_.insert(key);
     }
     find_domain();
   }
@@ -79,6 +84,7 @@ class SubjectReader {
   }
 
   std::string text(const std::string& key) const {
+    if (not_texts_.contains(key)) refuse("its " + io_detail::in_quotes(key) + " is no text");
     const auto found = texts_.find(key);
     return found == texts_.end() ? std::string() : found->second;
   }
@@ -95,7 +101,7 @@ class SubjectReader {
     std::set<std::string> domains;
     for (const auto& [key, value] : texts_)
       for (const std::string_view prefix : domain_prefixes)
-        if (key.starts_with(prefix)) domains.insert(key.substr(prefix.size()));
+        if (!value.empty() && key.starts_with(prefix)) domains.insert(key.substr(prefix.size()));
     if (domains.size() > 1) refuse("has " + std::to_string(domains.size()) + " domains");
     if (!domains.empty()) domain_ = *domains.begin();
   }
@@ -124,6 +130,7 @@ class SubjectReader {
   const io_detail::Source& source_;
   std::string place_, domain_ = "1";
   std::map<std::string, std::string> texts_;
+  std::set<std::string> not_texts_;  // columns that matter only if they are among those that are read
 };
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
 
 #include "foramen/core/error.hpp"
 #include "io/atomic_file.hpp"
@@ -47,6 +50,30 @@ H5Matrix<T> columns(const Triples& triples) {
 
 bool is_positive(const std::vector<double>& weights) {
   return std::all_of(weights.begin(), weights.end(), [](double w) { return w > 0 && std::isfinite(w); });
+}
+
+bool is_orthonormal(const Eigen::MatrixXd& basis) {
+  const Eigen::Index modes = basis.cols();
+  const Eigen::MatrixXd gram = basis.transpose() * basis;
+  return modes == 0 ||
+         (gram - Eigen::MatrixXd::Identity(modes, modes)).cwiseAbs().maxCoeff() < orthonormality_tolerance;
+}
+
+// With A = B diag(sqrt(v)) = U S V^T the covariance is A A^T = U S^2 U^T, and A s = U S (V^T s). V and S come
+// from A^T A, which is small.
+void to_principal_components(StatismoModel& model) {
+  const Eigen::MatrixXd scaled = model.basis * model.variance.cwiseSqrt().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled.transpose() * scaled);
+  const Eigen::VectorXd variance = solver.eigenvalues().reverse();
+  const Eigen::MatrixXd directions = solver.eigenvectors().rowwise().reverse();
+  // Numbers in single precision leave less than this of a mode that has no variance.
+  constexpr double smallest_share = 1e-12;
+  Eigen::Index kept = 0;
+  while (kept < variance.size() && variance[kept] > 0 && variance[kept] > smallest_share * variance[0])
+    ++kept;
+  model.variance = variance.head(kept);
+  model.basis = scaled * directions.leftCols(kept) * model.variance.cwiseSqrt().cwiseInverse().asDiagonal();
+  if (model.scores.cols() > 0) model.scores = (directions.leftCols(kept).transpose() * model.scores).eval();
 }
 
 class ModelCheck {
@@ -132,6 +159,14 @@ class ModelReader {
     read_statistics();
     read_weights();
     read_info();
+    if (!is_orthonormal(model_.basis)) {
+      to_principal_components(model_);
+      expect(model_.basis.allFinite() && model_.variance.allFinite(), "/model/pcaBasis",
+             "has numbers too large to compute with");
+      model_.notes.emplace_back(
+          "the columns of its basis are not orthonormal; the principal components of the same covariance "
+          "were taken instead");
+    }
     return std::move(model_);
   }
 
@@ -196,11 +231,6 @@ class ModelReader {
                " columns instead of " + std::to_string(numbers) + " and " +
                std::to_string(model_.variance.size()));
     expect(model_.basis.allFinite(), "/model/pcaBasis", "is not finite");
-    const Eigen::MatrixXd gram = model_.basis.transpose() * model_.basis;
-    const Eigen::Index modes = gram.rows();
-    expect(modes == 0 || (gram - Eigen::MatrixXd::Identity(modes, modes)).cwiseAbs().maxCoeff() <
-                             orthonormality_tolerance,
-           "/model/pcaBasis", "its columns are not orthonormal");
     model_.noise_variance = static_cast<double>(file_.template scalar<float>("/model/noiseVariance"));
     expect(std::isfinite(model_.noise_variance) && model_.noise_variance >= 0, "/model/noiseVariance",
            "is negative or not finite");

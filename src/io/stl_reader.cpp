@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "io/mesh_formats.hpp"
@@ -22,6 +24,13 @@ bool is_text(std::string_view bytes) {
   });
 }
 
+// The number of facets of a binary file. Some programs write 0 and leave it so; then all whole facets that
+// follow are taken.
+std::uint64_t binary_facets(const Source& source) {
+  const std::uint64_t announced = announced_facets(source);
+  return announced > 0 ? announced : (source.bytes.size() - preamble_bytes) / facet_bytes;
+}
+
 // A binary file may begin with "solid", too. If the number of facets in the header agrees with the file size,
 // the file is binary: in a text file the same four bytes would stand for far more facets. Otherwise the file
 // is a text if it begins with "solid" and its beginning has only text characters.
@@ -30,8 +39,8 @@ bool is_binary(const Source& source) {
       source.bytes.size() == preamble_bytes + facet_bytes * announced_facets(source))
     return true;
   constexpr std::size_t looked_at = 1024;
-  TokenCursor words(source.bytes.substr(0, looked_at));
-  return lower_case(words.next()) != "solid" || !is_text(source.bytes.substr(0, looked_at));
+  const std::string_view start = source.bytes.substr(0, looked_at).substr(byte_order_mark(source.bytes));
+  return lower_case(TokenCursor(start).next()) != "solid" || !is_text(start);
 }
 
 // Makes one point of all corners with exactly equal coordinates (0 equals -0). Points are in the order in
@@ -67,14 +76,19 @@ TriangleSoup welded(const std::vector<Vec3>& corners) {
   return soup;
 }
 
-std::vector<Vec3> read_binary(const Source& source) {
+struct Corners {
+  std::vector<Vec3> corners;
+  std::uint64_t trailing = 0;  // bytes after the last facet
+};
+
+Corners read_binary(const Source& source) {
   if (source.bytes.size() < preamble_bytes)
     source.refuse(
         "has " + std::to_string(source.bytes.size()) +
             " bytes and does not begin with 'solid': neither a binary STL (at least 84 bytes) nor a text one",
         "check its format and extension, or export the surface again");
-  const std::uint64_t facets = announced_facets(source), expected = preamble_bytes + facet_bytes * facets;
-  if (source.bytes.size() != expected)
+  const std::uint64_t facets = binary_facets(source), expected = preamble_bytes + facet_bytes * facets;
+  if (source.bytes.size() < expected)
     source.refuse("announces " + std::to_string(facets) + " facets, which need " + std::to_string(expected) +
                       " bytes, but has " + std::to_string(source.bytes.size()),
                   "it is no STL file, is damaged or was cut off: export or copy it again");
@@ -95,18 +109,25 @@ std::vector<Vec3> read_binary(const Source& source) {
         source.refuse("facet " + std::to_string(f) + ": a coordinate is not a finite number",
                       "remove that facet in a mesh editor or export the surface again");
     }
-    bytes.read<std::uint16_t>();  // attribute bytes
+    bytes.read<std::uint16_t>();  // attribute bytes, in which some programs store a colour
   }
-  return corners;
+  return {std::move(corners), source.bytes.size() - expected};
 }
 
 class TextStl {
  public:
   TextStl(const Source& source, SpaceTag& space) : source_(source), lines_(source.bytes), space_(space) {}
 
-  std::vector<Vec3> read() {
-    while (lines_.next_filled()) read_solid();
-    return std::move(corners_);
+  Corners read() {
+    while (lines_.next_filled()) {
+      TokenCursor words(lines_.line());
+      if (!corners_.empty() && lower_case(words.next()) != "solid") {
+        trailing_ = lines_.line().size() + lines_.remaining();
+        break;
+      }
+      read_solid();
+    }
+    return {std::move(corners_), trailing_};
   }
 
  private:
@@ -179,21 +200,25 @@ class TextStl {
   LineCursor lines_;
   SpaceTag& space_;
   std::vector<Vec3> corners_;
+  std::uint64_t trailing_ = 0;
 };
 
 }  // namespace
 
 MeshFile parse_stl(const Source& source) {
   SpaceTag space;
-  std::vector<Vec3> corners;
+  Corners read;
   if (is_binary(source)) {
-    corners = read_binary(source);
+    read = read_binary(source);
     space.see(source, source.bytes.substr(0, header_bytes));
   } else {
-    corners = TextStl(source, space).read();
+    read = TextStl(source, space).read();
   }
-  if (corners.empty()) source.refuse("holds no triangles", "export the surface, not an empty scene");
-  return {welded(corners), space.value()};
+  if (read.corners.empty()) source.refuse("holds no triangles", "export the surface, not an empty scene");
+  MeshFile file{welded(read.corners), space.value(), {}};
+  if (read.trailing > 0)
+    file.notes.emplace_back(std::to_string(read.trailing) + " bytes after the surface passed over");
+  return file;
 }
 
 }  // namespace foramen::io_detail

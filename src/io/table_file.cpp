@@ -40,10 +40,8 @@ void append_row(std::string& out, const Cells& cells, const Text& text) {
 
 class CsvParser {
  public:
-  explicit CsvParser(const Source& source) : source_(source), rest_(source.bytes) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
-  }
+  explicit CsvParser(const Source& source)
+      : source_(source), rest_(source.bytes.substr(io_detail::byte_order_mark(source.bytes))) {}
 
   Table parse() {
     Table table;

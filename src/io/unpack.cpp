@@ -74,4 +74,24 @@ std::size_t ByteStream::read(char* out, std::size_t count) {
 
 bool ByteStream::damaged() const { return state_->damaged; }
 
+std::string unpacked_bytes(const std::filesystem::path& path) {
+  std::string bytes = read_bytes(path);
+  if (!bytes.starts_with("\x1f\x8b")) return bytes;
+  const Source source{path.string(), {}};
+  bytes.clear();
+  constexpr std::size_t most = std::size_t{1} << 31U, step = std::size_t{1} << 20U;
+  ByteStream stream(path, 0, ByteStream::Packing::deflate);
+  for (bool more = true; more;) {
+    const std::size_t at = bytes.size();
+    bytes.resize(at + step);
+    bytes.resize(at + stream.read(bytes.data() + at, step));
+    more = bytes.size() == at + step;
+    if (bytes.size() > most)
+      source.refuse("has more than 2 GiB when it is decompressed", "decompress it and simplify the surface");
+  }
+  if (stream.damaged()) source.refuse("its compressed data are damaged or cut off", remedy_export_again);
+  if (bytes.empty()) source.refuse("is empty when it is decompressed", remedy_export_again);
+  return bytes;
+}
+
 }  // namespace foramen::io_detail

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace foramen::io_detail {
 
@@ -29,5 +30,9 @@ class ByteStream {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The whole file as read_bytes() gives it, decompressed if its first bytes are those of gzip. Refuses a file
+/// that is damaged or has more than 2 GiB after decompression.
+std::string unpacked_bytes(const std::filesystem::path& path);
 
 }  // namespace foramen::io_detail

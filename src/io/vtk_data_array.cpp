@@ -1,15 +1,10 @@
 #include "io/vtk_data_array.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <utility>
 
 namespace foramen::io_detail {
 namespace {
-
-// Deflate packs at most about 1032 bytes into one.
-constexpr std::uint64_t densest = 1032;
 
 std::string without_blanks(std::string_view text) {
   std::string out;
@@ -18,6 +13,8 @@ std::string without_blanks(std::string_view text) {
                [](char c) { return c != ' ' && c != '\n' && c != '\r' && c != '\t'; });
   return out;
 }
+
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 31U;
 
 // The value of a base64 digit; -1 for any other character.
 int base64_digit(char c) {
@@ -79,12 +76,17 @@ VtkDataArrays::VtkDataArrays(const Source& source, const XmlElement& file, std::
     : source_(source),
       order_(file.attribute("byte_order") == "BigEndian" ? ByteOrder::big : ByteOrder::little),
       header_bytes_(file.attribute("header_type", "UInt32") == "UInt64" ? 8 : 4),
-      zlib_(!file.attribute("compressor").empty()),
       appended_(appended_base64 ? without_blanks(appended) : std::string(appended)),
       appended_base64_(appended_base64) {
-  if (zlib_ && file.attribute("compressor") != "vtkZLibDataCompressor")
-    source.refuse("is compressed by " + in_quotes(file.attribute("compressor")),
-                  "write it without compression or with vtkZLibDataCompressor, or as PLY");
+  const std::string compressor = file.attribute("compressor");
+  if (compressor == "vtkZLibDataCompressor")
+    packing_ = BlockPacking::zlib;
+  else if (compressor == "vtkLZ4DataCompressor")
+    packing_ = BlockPacking::lz4;
+  else if (compressor == "vtkLZMADataCompressor")
+    packing_ = BlockPacking::lzma;
+  else if (!compressor.empty())
+    source.refuse("is compressed by " + in_quotes(compressor), "write it without compression, or as PLY");
 }
 
 const XmlElement& VtkDataArrays::find(const XmlElement& parent, const std::string& name) const {
@@ -111,7 +113,7 @@ std::string VtkDataArrays::bytes(const XmlElement& array) const {
 }
 
 std::string VtkDataArrays::unpacked(Run run) const {
-  if (zlib_) return inflated(run);
+  if (packing_) return inflated(run);
   const std::string header = run.peek(header_bytes_);
   ByteCursor cursor(header, 0, order_);
   const std::uint64_t count =
@@ -146,13 +148,13 @@ std::string VtkDataArrays::inflated(Run& run) const {
   std::size_t at = 0;
   for (std::size_t b = 0; b < blocks; at += sizes[3 + b], ++b) {
     const std::uint64_t size = b + 1 == blocks && sizes[2] != 0 ? sizes[2] : sizes[1];
-    if (size > densest * (sizes[3 + b] + 1)) refuse("announces a block that cannot be compressed so densely");
-    std::string block(size, '\0');
-    uLongf length = size;
-    const int outcome = uncompress(reinterpret_cast<Bytef*>(block.data()), &length,
-                                   reinterpret_cast<const Bytef*>(data.data() + at), sizes[3 + b]);
-    if (outcome != Z_OK || length != size) refuse("holds a damaged compressed block");
-    out += block;
+    const std::string_view block = std::string_view(data).substr(at, sizes[3 + b]);
+    if (size > most_unpacked(*packing_, block.size()))
+      refuse("announces a block that cannot be compressed so densely");
+    if (out.size() + size > most_bytes) refuse("announces more than 2 GiB of decompressed data");
+    const auto unpacked = unpack_block(*packing_, block, size);
+    if (!unpacked) refuse("holds a damaged compressed block");
+    out += *unpacked;
   }
   return out;
 }

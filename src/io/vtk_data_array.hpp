@@ -3,17 +3,19 @@
 /// Private to io: the numbers of a DataArray in VTK XML files, in any of the encodings of VTK.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "io/unpack_block.hpp"
 #include "io/xml_elements.hpp"
 
 namespace foramen::io_detail {
 
 /// Reads the arrays of one file: as text, as base64 within the element, or from the data appended at the end
-/// of the file, raw or in base64. Blocks compressed by zlib are decompressed. Throws IoError for an array
-/// that is missing, damaged, of another type or compressed by another method. Memory is allocated only for
-/// sizes that the file can hold.
+/// of the file, raw or in base64. Blocks compressed by zlib, LZ4 or LZMA are decompressed. Throws IoError for
+/// an array that is missing, damaged, of another type or compressed by another method. Memory is allocated
+/// only for sizes that the file can hold.
 class VtkDataArrays {
  public:
   /// \param file  the root element
@@ -41,7 +43,7 @@ class VtkDataArrays {
   const Source& source_;
   ByteOrder order_;
   std::size_t header_bytes_;  // of each number in the header of an array's bytes
-  bool zlib_;
+  std::optional<BlockPacking> packing_;
   std::string appended_;
   bool appended_base64_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct NumberType {
 };
 
 // vtkIdType has 32 bits in such files, however VTK was built.
-constexpr std::array<NumberType, 13> number_types{{{"float", Kind::real, 4, true},
+constexpr std::array<NumberType, 16> number_types{{{"float", Kind::real, 4, true},
                                                    {"double", Kind::real, 8, true},
                                                    {"char", Kind::integer, 1, true},
                                                    {"unsigned_char", Kind::integer, 1, false},
@@ -35,7 +36,10 @@ constexpr std::array<NumberType, 13> number_types{{{"float", Kind::real, 4, true
                                                    {"unsigned_long", Kind::integer, 8, false},
                                                    {"vtktypeint64", Kind::integer, 8, true},
                                                    {"vtktypeuint64", Kind::integer, 8, false},
-                                                   {"vtkidtype", Kind::integer, 4, true}}};
+                                                   {"vtkidtype", Kind::integer, 4, true},
+                                                   {"signed_char", Kind::integer, 1, true},
+                                                   {"long_long", Kind::integer, 8, true},
+                                                   {"unsigned_long_long", Kind::integer, 8, false}}};
 constexpr NumberType plain_int = number_types[6];
 
 class LegacyVtk {
@@ -51,11 +55,21 @@ class LegacyVtk {
       if (keyword == "point_data" || keyword == "cell_data") break;
       parse_section(keyword, words);
     }
-    for (std::size_t f = 0; f + 1 < offsets_.size(); ++f) add_polygon(f);
-    return {soup_.take(), space_.value()};
+    for (std::size_t f = 0; f + 1 < polygons_.offsets.size(); ++f)
+      soup_.add_face(corners_of(polygons_, f, "face "), soup_.points(),
+                     [&] { return "face " + std::to_string(f); });
+    for (std::size_t s = 0; s + 1 < strips_.offsets.size(); ++s)
+      soup_.add_strip(corners_of(strips_, s, "strip "), soup_.points(),
+                      [&] { return "strip " + std::to_string(s); });
+    return soup_.finish(space_.value());
   }
 
  private:
+  // The corners of cell f are corners[offsets[f]] .. corners[offsets[f + 1] - 1].
+  struct Cells {
+    std::vector<std::int64_t> offsets, corners;
+  };
+
   [[noreturn]] void refuse(const std::string& found, const char* remedy = remedy_damaged) const {
     source_.refuse("line " + std::to_string(line_number_) + ": " + found, remedy);
   }
@@ -78,6 +92,7 @@ class LegacyVtk {
 
   void parse_header() {
     constexpr std::string_view magic = "# vtk DataFile Version";
+    offset_ = byte_order_mark(source_.bytes);
     if (!next_line() || !line_.starts_with(magic))
       source_.refuse("does not begin with '# vtk DataFile Version'",
                      "it is no VTK file: check its format and extension");
@@ -106,15 +121,15 @@ class LegacyVtk {
     if (keyword == "points")
       parse_points(words);
     else if (keyword == "polygons")
-      parse_polygons(words);
+      read_cells(words, polygons_, "POLYGONS");
+    else if (keyword == "triangle_strips")
+      read_cells(words, strips_, "TRIANGLE_STRIPS");
+    else if (keyword == "vertices" || keyword == "lines")
+      pass_over_cells(words, keyword);
     else if (keyword == "field")
       skip_field(words);
     else if (keyword == "metadata")
       skip_metadata();
-    else if (keyword == "triangle_strips")
-      refuse("triangle strips", remedy_triangulate);
-    else if (keyword == "vertices" || keyword == "lines")
-      refuse("loose points or lines beside the faces", "remove them, or export the surface alone");
     else
       refuse("unknown section " + in_quotes(line_));
   }
@@ -220,33 +235,40 @@ class LegacyVtk {
     end_data(count);
   }
 
-  void parse_polygons(TokenCursor words) {
-    if (!offsets_.empty()) refuse("a second POLYGONS section");
+  void pass_over_cells(TokenCursor words, const std::string& keyword) {
+    Cells cells;
+    read_cells(words, cells, keyword == "lines" ? "LINES" : "VERTICES");
+    if (!cells.offsets.empty()) soup_.pass_over_loose(cells.offsets.size() - 1);
+  }
+
+  void read_cells(TokenCursor words, Cells& cells, const char* what) {
+    if (!cells.offsets.empty()) refuse("a second " + std::string(what) + " section");
     const std::uint64_t count = parse_count(words.next()), size = parse_count(words.next());
     expect_line_end(words);
     if (has_offsets_) {
-      offsets_ = parse_indices("OFFSETS", count);
-      corners_ = parse_indices("CONNECTIVITY", size);
+      if (count == 0 && size == 0) return;
+      cells.offsets = parse_indices("OFFSETS", count);
+      cells.corners = parse_indices("CONNECTIVITY", size);
     } else {
-      parse_counted_polygons(count, size);
+      parse_counted_cells(count, size, cells, what);
     }
   }
 
-  // The layout before version 5: for each polygon the number of its corners and then its corners.
-  void parse_counted_polygons(std::uint64_t count, std::uint64_t size) {
-    check_room(size, plain_int, "POLYGONS");
+  // The layout before version 5: for each cell the number of its corners and then its corners.
+  void parse_counted_cells(std::uint64_t count, std::uint64_t size, Cells& cells, const char* what) {
+    check_room(size, plain_int, what);
     if (count > size)
-      refuse("announces " + std::to_string(count) + " polygons of " + std::to_string(size) + " numbers");
+      refuse("announces " + std::to_string(count) + " cells of " + std::to_string(size) + " numbers");
     begin_data(size);
-    offsets_.push_back(0);
+    cells.offsets.push_back(0);
     for (std::uint64_t f = 0, used = 0; f < count; ++f) {
-      const std::int64_t length = used < size ? next_integer(plain_int, "POLYGONS") : -1;
+      const std::int64_t length = used < size ? next_integer(plain_int, what) : -1;
       if (length < 0 || static_cast<std::uint64_t>(length) >= size - used)
-        refuse("face " + std::to_string(f) + " of POLYGONS does not fit its announced size");
-      for (std::int64_t k = 0; k < length; ++k) corners_.push_back(next_integer(plain_int, "POLYGONS"));
+        refuse("face " + std::to_string(f) + " of " + what + " does not fit its announced size");
+      for (std::int64_t k = 0; k < length; ++k) cells.corners.push_back(next_integer(plain_int, what));
       used += static_cast<std::uint64_t>(length) + 1;
-      offsets_.push_back(static_cast<std::int64_t>(corners_.size()));
-      if (f + 1 == count && used != size) refuse("POLYGONS has other than its announced size");
+      cells.offsets.push_back(static_cast<std::int64_t>(cells.corners.size()));
+      if (f + 1 == count && used != size) refuse(std::string(what) + " has other than its announced size");
     }
     end_data(size);
   }
@@ -268,16 +290,13 @@ class LegacyVtk {
     return values;
   }
 
-  void add_polygon(std::size_t f) {
-    const auto place = [&] { return "face " + std::to_string(f); };
-    const std::int64_t begin = offsets_[f], end = offsets_[f + 1];
-    if (begin < 0 || end < begin || end > std::ssize(corners_))
-      source_.refuse(place() + ": its offsets " + std::to_string(begin) + " and " + std::to_string(end) +
-                         " are out of order or range",
+  std::span<const std::int64_t> corners_of(const Cells& cells, std::size_t f, const char* what) const {
+    const std::int64_t begin = cells.offsets[f], end = cells.offsets[f + 1];
+    if (begin < 0 || end < begin || end > std::ssize(cells.corners))
+      source_.refuse(what + std::to_string(f) + ": its offsets " + std::to_string(begin) + " and " +
+                         std::to_string(end) + " are out of order or range",
                      remedy_damaged);
-    if (end - begin != 3) refuse_polygon(source_, place(), static_cast<std::uint64_t>(end - begin));
-    const std::size_t at = begin;
-    soup_.add_triangle({corners_[at], corners_[at + 1], corners_[at + 2]}, soup_.points(), place);
+    return std::span(cells.corners).subspan(begin, end - begin);
   }
 
   void skip_field(TokenCursor words) {
@@ -285,17 +304,60 @@ class LegacyVtk {
     const std::uint64_t arrays = parse_count(words.next());
     for (std::uint64_t a = 0; a < arrays; ++a) {
       need_line("an array of FIELD");
-      TokenCursor array(line_);
-      array.next();
-      const std::uint64_t components = parse_count(array.next()), tuples = parse_count(array.next());
-      const NumberType type = parse_type(array.next());
-      check_room(components, number_types[2], "FIELD");
-      if (components > 0) check_room(tuples, number_types[2], "FIELD");
-      check_room(components * tuples, type, "FIELD");
-      begin_data(components * tuples);
-      for (std::uint64_t i = 0; i < components * tuples; ++i) next_number(type, "FIELD");
-      end_data(components * tuples);
+      if (lower_case(TokenCursor(line_).next()) == "metadata") {  // of the array before
+        skip_metadata();
+        need_line("an array of FIELD");
+      }
+      skip_array(TokenCursor(line_));
     }
+  }
+
+  void skip_array(TokenCursor heading) {
+    const std::string_view name = heading.next();
+    if (lower_case(name) == "null_array") return;
+    const std::uint64_t components = parse_count(heading.next()), tuples = parse_count(heading.next());
+    const std::string type = lower_case(heading.next());
+    const std::uint64_t room = 8 * (remaining() + 1);  // a value takes at least a bit
+    if (components > room || (components > 0 && tuples > room / components))
+      refuse("FIELD needs more numbers than the " + std::to_string(remaining()) +
+             " bytes that follow can hold");
+    const std::uint64_t count = components * tuples;
+    if (type == "string" || type == "utf8_string") {
+      for (std::uint64_t i = 0; i < count; ++i) skip_string(name);
+    } else if (type == "bit" && binary_) {
+      check_room((count + 7) / 8, number_types[2], "FIELD");
+      offset_ += (count + 7) / 8;
+    } else {
+      const NumberType number = type == "bit" ? number_types[2] : parse_type(type);
+      check_room(count, number, "FIELD");
+      begin_data(count);
+      for (std::uint64_t i = 0; i < count; ++i) next_number(number, "FIELD");
+      end_data(count);
+    }
+  }
+
+  // A line of a text file. In a binary file the first two bits say how many bytes hold the length: 3, 2, 1, 0
+  // for 1, 2, 4, 8 of them.
+  void skip_string(std::string_view name) {
+    std::size_t length = 0;
+    if (binary_) {
+      if (remaining() == 0) source_.refuse("the file ends within FIELD", remedy_damaged);
+      const auto first = static_cast<unsigned char>(source_.bytes[offset_]);
+      const std::size_t bytes = std::size_t{8} >> (first >> 6U);
+      if (bytes > remaining()) source_.refuse("the file ends within FIELD", remedy_damaged);
+      std::uint64_t written = first & 63U;
+      for (std::size_t i = 1; i < bytes; ++i)
+        written = written << 8U | static_cast<unsigned char>(source_.bytes[offset_ + i]);
+      offset_ += bytes;
+      if (written > remaining()) source_.refuse("the file ends within FIELD", remedy_damaged);
+      length = written;
+    } else {
+      if (remaining() == 0) source_.refuse("the file ends within FIELD", remedy_damaged);
+      length = std::min(source_.bytes.find('\n', offset_), source_.bytes.size()) - offset_;
+      ++line_number_;
+    }
+    if (name == "SPACE") space_.see(source_, "SPACE=" + std::string(source_.bytes.substr(offset_, length)));
+    offset_ = std::min(offset_ + length + (binary_ ? 0 : 1), source_.bytes.size());
   }
 
   // Skips a METADATA section, which ends with a blank line.
@@ -315,8 +377,7 @@ class LegacyVtk {
   bool binary_ = false, has_offsets_ = false;
   std::size_t offset_ = 0, line_number_ = 0;
   std::string_view line_;
-  std::vector<std::int64_t> offsets_,
-      corners_;  // polygon f: corners_[offsets_[f]] .. corners_[offsets_[f + 1] - 1]
+  Cells polygons_, strips_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -56,7 +56,7 @@ class SurfaceReader {
       for (const XmlElement& field : fields->children)
         if (field.attribute("Name") == "SPACE" && field.attribute("type") == "String")
           space.see(source_, "SPACE=" + arrays_.text(field));
-    return {soup_.take(), space.value()};
+    return soup_.finish(space.value());
   }
 
  private:
@@ -75,27 +75,46 @@ class SurfaceReader {
   }
 
   void add_piece(const XmlElement& piece) {
-    const std::uint64_t points = count(piece, "NumberOfPoints"), faces = count(piece, "NumberOfPolys");
-    if (count(piece, "NumberOfStrips") > 0) source_.refuse("holds triangle strips", remedy_triangulate);
-    if (count(piece, "NumberOfVerts") + count(piece, "NumberOfLines") > 0)
-      source_.refuse("holds loose points or lines beside faces", "remove them, or export the surface alone");
-    if (points + faces == 0) return;
+    const std::uint64_t points = count(piece, "NumberOfPoints"), faces = count(piece, "NumberOfPolys"),
+                        strips = count(piece, "NumberOfStrips");
+    soup_.pass_over_loose(count(piece, "NumberOfVerts"));
+    soup_.pass_over_loose(count(piece, "NumberOfLines"));
+    if (points == 0 && faces == 0 && strips == 0) return;
     const std::size_t first = soup_.points();
     const auto coordinates = arrays_.numbers(arrays_.find(child(piece, "Points"), "Points"));
-    const XmlElement& polys = child(piece, "Polys");
-    const auto corners = arrays_.integers(arrays_.find(polys, "connectivity"));
-    const auto ends = arrays_.integers(arrays_.find(polys, "offsets"));
     if (coordinates.size() % 3 != 0 || coordinates.size() / 3 != points)
       refuse_count("Points", coordinates.size(), "3 x " + std::to_string(points));
-    if (ends.size() != faces) refuse_count("offsets", ends.size(), std::to_string(faces));
-    soup_.expect(first + points, soup_.triangles() + faces, source_.bytes.size(), 0, 0);
+    soup_.expect(first + points, soup_.triangles(), source_.bytes.size(), 0, 0);
     for (std::size_t v = 0; v < points; ++v)
       soup_.add_point({coordinates[3 * v], coordinates[3 * v + 1], coordinates[3 * v + 2]},
                       [&] { return "vertex " + std::to_string(first + v); });
+    if (faces > 0) add_cells(child(piece, "Polys"), faces, first, false);
+    if (strips > 0) add_cells(child(piece, "Strips"), strips, first, true);
+  }
+
+  void add_cells(const XmlElement& element, std::uint64_t cells, std::size_t first, bool strips) {
+    auto corners = arrays_.integers(arrays_.find(element, "connectivity"));
+    const auto ends = arrays_.integers(arrays_.find(element, "offsets"));
+    if (ends.size() != cells) refuse_count("offsets", ends.size(), std::to_string(cells));
+    const std::uint64_t points = soup_.points() - first;
     std::int64_t begin = 0;
-    for (const std::int64_t end : ends) {
-      add_face(corners, begin, end, first);
-      begin = end;
+    for (std::size_t c = 0; c < ends.size(); begin = ends[c++]) {
+      const std::int64_t end = ends[c];
+      const auto place = [&] { return (strips ? "strip " : "face ") + std::to_string(c); };
+      if (end < begin || end > std::ssize(corners))
+        source_.refuse(place() + ": its offsets " + std::to_string(begin) + " and " + std::to_string(end) +
+                           " are out of order or range",
+                       remedy_export_again);
+      const std::span cell = std::span(corners).subspan(begin, end - begin);
+      for (std::int64_t& corner : cell) {
+        if (corner < 0 || static_cast<std::uint64_t>(corner) >= points)
+          soup_.refuse_corner(corner, points, place());
+        corner += static_cast<std::int64_t>(first);
+      }
+      if (strips)
+        soup_.add_strip(cell, soup_.points(), place);
+      else
+        soup_.add_face(cell, soup_.points(), place);
     }
   }
 
@@ -104,25 +123,6 @@ class SurfaceReader {
     source_.refuse(
         "its array '" + array + "' holds " + std::to_string(found) + " numbers instead of " + expected,
         remedy_export_again);
-  }
-
-  void add_face(const std::vector<std::int64_t>& corners, std::int64_t begin, std::int64_t end,
-                std::size_t first) {
-    const auto place = [&] { return "face " + std::to_string(soup_.triangles()); };
-    if (end < begin || end > std::ssize(corners))
-      source_.refuse(place() + ": its offsets " + std::to_string(begin) + " and " + std::to_string(end) +
-                         " are out of order or range",
-                     remedy_export_again);
-    if (end - begin != 3) refuse_polygon(source_, place(), static_cast<std::uint64_t>(end - begin));
-    std::array<std::int64_t, 3> triangle{};
-    const std::uint64_t points = soup_.points() - first;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::int64_t corner = corners[static_cast<std::size_t>(begin) + k];
-      if (corner < 0 || static_cast<std::uint64_t>(corner) >= points)
-        soup_.refuse_corner(corner, points, place());
-      triangle[k] = corner + static_cast<std::int64_t>(first);
-    }
-    soup_.add_triangle(triangle, soup_.points(), place);
   }
 
   const Source& source_;

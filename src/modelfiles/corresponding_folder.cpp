@@ -21,7 +21,7 @@ CorrespondingFolder read_corresponding(const std::filesystem::path& folder, Leng
                          "; corresponding meshes must have the same triangles in the same order");
     }
     for (Vec3& p : read.soup.points) p *= millimetres_per(unit);
-    result.names.push_back(file.stem().string());
+    result.names.push_back(mesh_stem(file));
     result.shapes.push_back(std::move(read.soup.points));
     result.spaces.push_back(read.space.value_or(AnatomicalSpace::lps));
   }

@@ -67,7 +67,8 @@ LoadedModel loaded(StatismoModel file, AnatomicalSpace space) {
                                          std::move(file.variance), std::move(file.triangles)),
                      .names = {},
                      .scores = std::move(file.scores),
-                     .space = space};
+                     .space = space,
+                     .notes = std::move(file.notes)};
   for (const std::string& uri : file.shape_uris) loaded.names.push_back(fs::path(uri).stem().string());
   if (!file.landmark_weights.empty()) {
     const std::vector<Eigen::VectorXd> shapes = shapes_of(loaded.model, loaded.scores);

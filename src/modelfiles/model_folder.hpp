@@ -18,6 +18,7 @@ struct LoadedModel {
   std::vector<std::string> names;  ///< stems of the training shapes
   Eigen::MatrixXd scores;          ///< modes x shapes, in standard deviations
   AnatomicalSpace space = AnatomicalSpace::lps;
+  std::vector<Message> notes = {};  ///< on how the file was read
 };
 
 /// Reads MODEL/model.h5 (or a model.h5 itself). Throws IoError.

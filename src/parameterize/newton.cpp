@@ -25,7 +25,8 @@ constexpr double least_step = 1e-12;  ///< the line search gives up below this s
 
 /// Share of negative eigenvalues that is kept if the true Hessian is not positive definite.
 constexpr double partly_kept = 0.7;
-/// Shifts of the diagonal, relative to its own entries, that are tried if rounding spoils the clamped Hessian.
+/// Shifts of the diagonal, relative to its own entries, that are tried if rounding spoils the clamped
+/// Hessian.
 constexpr std::array<double, 4> diagonal_shifts = {1e-10, 1e-8, 1e-6, 1e-4};
 /// Factor of the tolerance for steps by a Hessian other than the true one.
 constexpr double clamped_margin = 0.1;

@@ -20,7 +20,7 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
   std::vector<Mesh> surfaces;
   for (const std::string& name : names) {
     const auto file =
-        std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return f.stem() == name; });
+        std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return mesh_stem(f) == name; });
     if (file == files.end())
       throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name);
     surfaces.push_back(build_mesh(read_mesh(*file).soup));

@@ -39,7 +39,7 @@ std::vector<MeasuredShape> measure_files(const Measurer& measurer,
   std::vector<MeasuredShape> all;
   for (const auto& file : files) {
     ctx.step("measure", static_cast<double>(all.size()) / static_cast<double>(files.size()));
-    all.push_back({file.stem().string(), measured(measurer, file, unit)});
+    all.push_back({mesh_stem(file), measured(measurer, file, unit)});
   }
   return all;
 }

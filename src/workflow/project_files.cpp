@@ -105,7 +105,7 @@ std::vector<Projected> all_projected(const std::vector<fs::path>& files, const P
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      all[k].input.stem = files[k].stem().string();
+      all[k].input.stem = mesh_stem(files[k]);
       all[k].input.file_name = files[k].filename().string();
       all[k].failure = message_of(e);
     }

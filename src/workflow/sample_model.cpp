@@ -19,7 +19,7 @@ std::string sample_name(int index) {
 
 }  // namespace
 
-void sample_model(const SampleRequest& request, const RunContext& ctx) {
+std::vector<Message> sample_model(const SampleRequest& request, const RunContext& ctx) {
   const LoadedModel loaded = load_model(request.model);
   std::filesystem::create_directories(request.output);
   const Rng root(request.seed);
@@ -30,6 +30,7 @@ void sample_model(const SampleRequest& request, const RunContext& ctx) {
     write_ply(request.output / sample_name(i), {unflattened(shape), loaded.model.triangles()}, loaded.space);
     ctx.step("sample", static_cast<double>(++done) / request.count);
   });
+  return loaded.notes;
 }
 
 }  // namespace foramen

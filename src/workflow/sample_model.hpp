@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
 
 namespace foramen {
@@ -16,7 +18,8 @@ struct SampleRequest {
   std::uint64_t seed = 1;
 };
 
-/// Writes sample0001.ply and so on, in model coordinates. Throws IoError.
-void sample_model(const SampleRequest& request, const RunContext& ctx);
+/// Writes sample0001.ply and so on, in model coordinates, and returns the notes on how the model was read.
+/// Throws IoError.
+std::vector<Message> sample_model(const SampleRequest& request, const RunContext& ctx);
 
 }  // namespace foramen

@@ -80,6 +80,14 @@ TEST_F(Convert, ShapesComeBackTheSame) {
   expect_the_same_meshes(file("back"));
 }
 
+// Without a project the particles of each subject are taken in its own coordinates, where there are both.
+TEST_F(Convert, AFolderOfParticles) {
+  converted(meshes(), file("study/a.swproj"));
+  const ConvertRequest with_triangles{.input = {}, .output = {}, .triangles = meshes() / "L0.ply"};
+  EXPECT_EQ(converted(file("study/particles"), file("back"), with_triangles).shapes, 5U);
+  expect_the_same_meshes(file("back"));
+}
+
 TEST_F(Convert, ShapesMakeAModelThatHoldsThem) {
   const ConvertSummary summary = converted(meshes(), file("model.h5"));
   EXPECT_EQ(summary.landmarks, 48U);

@@ -7,6 +7,7 @@
 
 #include "foramen/core/geometry.hpp"
 #include "support/handles.hpp"
+#include "support/label_maps.hpp"
 #include "support/meshes.hpp"
 #include "support/messages.hpp"
 #include "support/real_data.hpp"
@@ -17,7 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using testing::bytes_of;
 using testing::offers;
+using testing::packed;
 using testing::refusal;
 using testing::says;
 using testing::TemporaryFolder;
@@ -39,6 +42,29 @@ TEST(FindMeshes, RefusesWhatIsMissingEmptyOrAmbiguous) {
   folder.file("a.ply", "");
   folder.file("a.stl", "");
   EXPECT_THAT(refusal([&] { find_meshes({folder.path()}); }), says("same name"));
+}
+
+TEST(FindMeshes, AFolderOfDicomIsNamed) {
+  const TemporaryFolder folder;
+  std::string slice(128, '\0');
+  slice += "DICM";
+  folder.file("IM0001", slice);
+  EXPECT_THAT(refusal([&] { find_meshes({folder.path()}); }), says("is a DICOM file"));
+}
+
+TEST(ReadCohort, PackedMeshesAndNotesOnHowTheyWereRead) {
+  const TemporaryFolder folder;
+  write_ply(folder.file("plain.ply"), torus_soup(24, 12));
+  TriangleSoup other = torus_soup(24, 12);
+  for (Vec3& p : other.points) p *= 1.1;
+  write_ply(folder.file("other.ply"), other);
+  folder.file("tail.ply.gz", packed(bytes_of(folder.file("other.ply")) + "tail"));
+  std::filesystem::remove(folder.file("other.ply"));
+  const Cohort cohort = read_cohort(find_meshes({folder.path()}), LengthUnit::millimetre, RunContext(1));
+  ASSERT_EQ(cohort.shapes.size(), 2u);
+  EXPECT_EQ(cohort.shapes[1].stem, "tail");
+  ASSERT_EQ(cohort.notes.size(), 1u);
+  EXPECT_EQ(cohort.notes[0].text, "tail.ply.gz: 4 bytes after the surface passed over");
 }
 
 TEST(ReadShape, InwardWindingIsReversedAndSaid) {

@@ -57,6 +57,11 @@ std::vector<Case> nifti_cases() {
   set_value<float>(halves, 352 + 40, 2.5F);
   set_value<float>(not_a_number, 352 + 40, std::numeric_limits<float>::quiet_NaN());
   set_value<std::int16_t>(negative, 352 + 40, -1000);
+  LabelMap binary = map;
+  for (auto& label : binary.labels) label = label > 3;
+  std::string probabilities = nifti_bytes<float>(binary, 16), coarse = nifti_bytes<std::int16_t>(map, 4);
+  set_value<float>(probabilities, 352 + 40, 0.37F);
+  set_value<float>(coarse, 112, 0.4F);
   std::string large = nifti_bytes<std::int32_t>(map, 8);
   set_value<std::int32_t>(large, 352 + 40, 70000);
   std::string flipped_bit = packed(good);
@@ -66,8 +71,6 @@ std::vector<Case> nifti_cases() {
       {"no header", "a.nii", std::string(400, 'x'), "does not begin as a NIfTI header"},
       {"short header", "a.nii", good.substr(0, 100), "has only 100 bytes"},
       {"short packed header", "a.nii.gz", packed(good.substr(0, 100)), "has only 100 bytes"},
-      {"not packed", "a.nii.gz", good, "bytes, less than a NIfTI header"},
-      {"packed under the other name", "a.nii", packed(good), "NIfTI header"},
       {"16 GB promised", "a.nii", wide, "which need 16003008352 bytes"},
       {"16 GB promised, packed", "a.nii.gz", packed(wide), "compressed ones are there"},
       {"more than can be numbered", "a.nii", huge, "more than foramen can hold"},
@@ -94,9 +97,11 @@ std::vector<Case> nifti_cases() {
        "ends or is damaged after"},
       {"checksum cut off", "a.nii.gz", packed(good).substr(0, packed(good).size() - 5), "damaged"},
       {"wrong checksum", "a.nii.gz", flipped_bit, "damaged"},
-      {"no whole numbers", "a.nii", halves, "2.5"},
+      {"no whole numbers", "a.nii", halves, "a voxel has the value 2.5, which is no label"},
+      {"probabilities", "a.nii", probabilities, "those of probabilities"},
+      {"step as large as a label", "a.nii", coarse, "a voxel has the value 0.4"},
       {"not a number", "a.nii", not_a_number, "nan"},
-      {"an image", "a.nii", negative, "-1000"},
+      {"an image", "a.nii", negative, "value -1000: its values, from -1000"},
       {"label too large", "a.nii", large, "70000"},
       {"unknown extension", "a.img", good, "is no label map by its name"},
   };
@@ -115,7 +120,9 @@ std::vector<Case> nrrd_cases() {
       {"a line that is none", "a.nrrd", header + "nonsense\n" + tail + raw, "'nonsense'"},
       {"an endless line", "a.nrrd", header + "content: " + std::string(5000, 'x') + "\n" + tail + raw,
        "5009 characters"},
-      {"four dimensions", "a.nrrd", with("dimension: 3", "dimension: 4"), "image of 4 dimensions"},
+      {"four dimensions", "a.nrrd", replaced(with("dimension: 3", "dimension: 4"), "6 5 4", "2 3 5 4"),
+       "image of 4 dimensions"},
+      {"a size missing", "a.nrrd", with("dimension: 3", "dimension: 4"), "not a size for each dimension"},
       {"two sizes", "a.nrrd", with("sizes: 6 5 4", "sizes: 6 5"), "three sizes"},
       {"size no number", "a.nrrd", with("sizes: 6 5 4", "sizes: 6 5 x"), "'x'"},
       {"16 GB", "a.nrrd", with("sizes: 6 5 4", "sizes: 2000 2000 500"), "are there"},
@@ -131,13 +138,17 @@ std::vector<Case> nrrd_cases() {
       {"origin not a number", "a.nrrd", with("space origin: (", "space origin: (nan,"), "as spaceorigin"},
       {"metres", "a.nrrd", with("kinds:", "space units: \"m\" \"m\" \"m\"\nkinds:"), "'m'"},
       {"text", "a.nrrd", header + "encoding: ascii\n\n1 2 3", "'ascii'"},
-      {"byte skip", "a.nrrd", header + "byte skip: 10\n" + tail + raw, "byteskip"},
+      {"byte skip", "a.nrrd", header + "line skip: 1\n" + tail + raw, "line skip"},
       {"data file not there", "a.nhdr", header + "encoding: raw\ndata file: none.raw\n",
        "which is not there"},
-      {"many data files", "a.nhdr", header + "encoding: raw\ndata file: s%03d.raw 1 4 1\n", "several files"},
+      {"many data files", "a.nhdr", header + "encoding: raw\ndata file: s%03d.raw 1 4 1\n",
+       "'s001.raw', which is not there"},
+      {"another folder", "a.nhdr", header + "encoding: raw\ndata file: LIST\n../a.raw\n", "outside its own"},
+      {"another pattern", "a.nhdr", header + "encoding: raw\ndata file: s%x.raw 1 4\n", "by the pattern"},
+      {"endless pattern", "a.nhdr", header + "encoding: raw\ndata file: s%d.raw 1 9999999999\n",
+       "by the pattern"},
       {"cut off", "a.nrrd", (header + tail + raw).substr(0, header.size() + tail.size() + 50), "are there"},
-      {"compressed data that are none", "a.nrrd", header + "encoding: gzip\n\n" + raw,
-       "ends or is damaged after 0"},
+      {"compressed data that are none", "a.nrrd", header + "encoding: gzip\n\n" + raw.substr(1), "are there"},
   };
 }
 
@@ -153,16 +164,25 @@ std::vector<Case> meta_cases() {
       {"no MetaImage", "a.mha", "hello\n" + header + tail + raw, "'hello'"},
       {"no end of header", "a.mha", header, "does not end"},
       {"no image", "a.mha", with("ObjectType = Image", "ObjectType = Tube"), "'Tube'"},
-      {"four dimensions", "a.mha", with("NDims = 3", "NDims = 4"), "image of 4 dimensions"},
+      {"four dimensions", "a.mha", replaced(with("NDims = 3", "NDims = 4"), "6 5 4", "6 5 2 2"),
+       "image of 4 dimensions"},
+      {"a size missing", "a.mha", with("NDims = 3", "NDims = 4"), "3 sizes for 4 dimensions"},
+      {"size that overflows, data at the end", "a.mha",
+       replaced(with("NDims = 3", "NDims = 3\nHeaderSize = -1"), "6 5 4", "9223372036854775807 2 2"),
+       "can hold"},
+      {"more than there is at the end", "a.mha",
+       replaced(with("NDims = 3", "NDims = 3\nHeaderSize = -1"), "6 5 4", "600 5 4"), "are there"},
       {"colours", "a.mha", with("NDims = 3", "NDims = 3\nElementNumberOfChannels = 3"), "3 numbers a voxel"},
       {"16 GB", "a.mha", with("DimSize = 6 5 4", "DimSize = 2000 2000 500"), "are there"},
       {"type", "a.mha", with("MET_USHORT", "MET_STRING"), "'MET_STRING'"},
       {"text", "a.mha", with("BinaryData = True", "BinaryData = False"), "written as text"},
-      {"header size", "a.mha", with("NDims = 3", "NDims = 3\nHeaderSize = -1"), "HeaderSize"},
+      {"header size", "a.mha", with("NDims = 3", "NDims = 3\nHeaderSize = -2"), "HeaderSize"},
       {"matrix too short", "a.mha", with("TransformMatrix = 1", "TransformMatrix ="), "not 9 numbers"},
       {"no spacing", "a.mha", with("ElementSpacing", "Something"), "no 'elementspacing'"},
       {"zero spacing", "a.mha", with("ElementSpacing = 1", "ElementSpacing = 0"), "voxels measure 0"},
-      {"list of files", "a.mhd", header + "ElementDataFile = LIST\na.raw\n", "several files"},
+      {"list of files", "a.mhd", header + "ElementDataFile = LIST\na.raw\n", "'a.raw', which is not there"},
+      {"list that is empty", "a.mhd", header + "ElementDataFile = LIST\n", "list of data files is empty"},
+      {"list outside", "a.mhd", header + "ElementDataFile = LIST\n/etc/passwd\n", "outside its own folder"},
       {"data file not there", "a.mhd", header + "ElementDataFile = none.raw\n", "which is not there"},
       {"cut off", "a.mha", header + tail + raw.substr(0, 30), "are there"},
       {"cut off, compressed", "a.mha",

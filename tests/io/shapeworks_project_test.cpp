@@ -77,6 +77,16 @@ TEST(ShapeWorksProject, ProjectsOfOthers) {
   EXPECT_EQ(read.at(0).alignment(0, 0), 1);
 }
 
+TEST(ShapeWorksProject, ColumnsOfAnyType) {
+  const TemporaryFolder folder;
+  const auto read = read_shapeworks(folder.file(
+      "x.swproj",
+      R"({"data":[{"name":7,"shape_1":"a.ply","age":61,"fixed":true,"note":null,"tags":["a",{"b":1}],)"
+      R"("local_particles_1":"a.particles","shape_2":""}]})"));
+  EXPECT_EQ(read.at(0).name, "7");
+  EXPECT_EQ(read.at(0).shape, "a.ply");
+}
+
 TEST(ShapeWorksProject, WhatIsNoneIsRefused) {
   const TemporaryFolder folder;
   const auto refused = [&](std::string_view bytes) {
@@ -84,7 +94,7 @@ TEST(ShapeWorksProject, WhatIsNoneIsRefused) {
   };
   EXPECT_THAT(refused("not json"), HasSubstr("is not JSON"));
   EXPECT_THAT(refused(R"({"data":[]})"), HasSubstr("no list of subjects"));
-  EXPECT_THAT(refused(R"({"data":[{"name":1}]})"), HasSubstr("subject 1 its 'name' is no text"));
+  EXPECT_THAT(refused(R"({"data":[{"name":["a"]}]})"), HasSubstr("subject 1 its 'name' is no text"));
   EXPECT_THAT(refused(R"({"data":[{"shape_a":"a","shape_b":"b"}]})"), HasSubstr("2 domains"));
   EXPECT_THAT(refused(R"({"data":[{"shape_1":"a","procrustes_1":"1 2 3"}]})"), HasSubstr("3 numbers"));
   EXPECT_THAT(refused(R"({"data":[{}]})"), HasSubstr("neither a name nor a file"));

@@ -118,8 +118,8 @@ inline constexpr int fewest_shapes = 3;
 /// The reference is mapped first; all shapes use its loops and its lattice. Then the shapes are registered
 /// with each other (register_group()), or each with the reference (register_shape()), or, with Method::icp,
 /// only aligned to the reference (align()). If more than 5 % of the shapes cannot be registered and the
-/// reference was chosen automatically, up to two further references are tried, and the one by which the fewest
-/// shapes are lost is taken.
+/// reference was chosen automatically, up to two further references are tried, and the one by which the
+/// fewest shapes are lost is taken.
 ///
 /// Throws TooFewShapes if fewer than 3 shapes are given or remain, InvalidInput if the named reference is not
 /// among them, ConvergenceError if no shape can be the reference.
@@ -129,8 +129,8 @@ Correspondence correspond(std::span<const Shape> shapes, const CorrespondOptions
 /// Ranks the shapes (indices) from the most average one on: by the sum of the absolute deviations of log area
 /// and log volume from the medians of the cohort. Ties keep the order of the shapes. Shapes with less than a
 /// quarter of the median number of vertices come after the others, because loops with few vertices are not
-/// carried to other shapes reliably. Shapes of more than 100 000 vertices come last, because the search for their
-/// loops takes minutes.
+/// carried to other shapes reliably. Shapes of more than 100 000 vertices come last, because the search for
+/// their loops takes minutes.
 std::vector<int> rank_references(std::span<const Shape> shapes);
 
 }  // namespace foramen

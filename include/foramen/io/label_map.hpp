@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/remedy.hpp"
 
 namespace foramen {
 
@@ -18,8 +19,9 @@ struct LabelMap {
   std::vector<std::uint16_t> labels;  ///< voxel (i, j, k) is at (k * size[1] + j) * size[0] + i
   Mat3 axes = Mat3::Identity();  ///< columns: the step to the next voxel along i, j, k, LPS mm; orthogonal
   Vec3 origin = Vec3::Zero();    ///< centre of voxel (0, 0, 0), LPS mm
-  /// Of the file's bytes; if header and data are two files, of the header followed by the data.
+  /// Of the file's bytes; if header and data are several files, of the header followed by the data.
   std::string sha256;
+  std::vector<Message> notes;  ///< what was amiss in the file and how it was taken; mostly empty
 
   std::uint16_t at(int i, int j, int k) const {
     return labels[(static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
@@ -36,15 +38,18 @@ const std::vector<std::string>& label_map_extensions();
 /// The file name without its label-map extension.
 std::string label_map_stem(const std::filesystem::path& path);
 
-/// Reads one three-dimensional image of whole numbers 0 .. 65535, stored as integers or floating-point
-/// numbers, in any orientation. A NIfTI file is placed by its sform if it has one, else by its qform. NRRD
-/// may be in LPS, RAS or LAS space; MetaImage is in LPS. Memory is allocated for the data that the file
-/// holds, not for the size that its header states.
+/// Reads one three-dimensional image of labels 0 .. 65535, stored as integers or floating-point numbers, in
+/// any orientation; further axes of length 1 are passed over. Values that became fractions on the way
+/// (19.9999) are rounded, up to 0.05. A NIfTI file is placed by its sform if that is usable, else by its
+/// qform. NRRD may be in LPS, RAS or LAS space; MetaImage is in LPS. Whether data are compressed is seen by
+/// their first bytes, not by the name. Data in several files are read if these lie in the folder of the
+/// header or below. Memory is allocated for the data that the file holds, not for the size that its header
+/// states.
 ///
 /// Throws IoError with the file, what was found and what to do: a header that states more data than the file
-/// holds, a truncated or damaged file, a number of dimensions other than three, colours or vectors, axes that
-/// are not at right angles, no orientation, or values that are no labels (fractions and negative numbers, as
-/// in a grey-value image).
+/// holds, a truncated or damaged file, another kind of file, a number of dimensions other than three, colours
+/// or vectors, axes that are not at right angles, no orientation, or values that are no labels (fractions and
+/// negative numbers, as in a grey-value image).
 LabelMap read_label_map(const std::filesystem::path& path);
 
 }  // namespace foramen

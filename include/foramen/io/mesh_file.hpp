@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Triangle meshes on disk: PLY, STL, OBJ, OFF, legacy VTK and VTP. The readers are strict: they refuse
-/// damaged, incomplete and contradictory files.
+/// Surfaces on disk: PLY, STL, OBJ, OFF, legacy VTK and VTP. The readers take what common programs write and
+/// pass over what does not belong to the surface. They refuse damaged, incomplete and contradictory files.
 
 #include <filesystem>
 #include <optional>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/units.hpp"
 
 namespace foramen {
@@ -21,15 +22,22 @@ enum class AnatomicalSpace { lps, ras };
 struct MeshFile {
   TriangleSoup soup;
   std::optional<AnatomicalSpace>
-      space;  ///< from a SPACE=LPS / SPACE=RAS comment; unset: untagged (taken as LPS)
+      space;                   ///< from a SPACE=LPS / SPACE=RAS comment; unset: untagged (taken as LPS)
+  std::vector<Message> notes;  ///< what was changed or passed over; mostly empty
 };
 
 /// The extensions (lower case, with dot) that read_mesh() reads.
 const std::vector<std::string>& mesh_extensions();
 
-/// Reads a mesh in the format that the extension (upper or lower case) names. Polygons with more than three
-/// corners are refused. STL corners with exactly equal coordinates become one vertex. Throws IoError with the
-/// file, what was found, where in the file, and what to do.
+/// Whether the file name ends with one of mesh_extensions(), in upper or lower case, or with .gz after it.
+bool is_mesh_file(const std::filesystem::path& path);
+/// The file name without its extension, and without .gz after that.
+std::string mesh_stem(const std::filesystem::path& path);
+
+/// Reads a mesh in the format that the extension (upper or lower case) names. A file that gzip packed is
+/// unpacked, whatever its name, up to 2 GiB. Polygons and strips become triangles, loose points and lines are
+/// passed over, and a note says so. STL corners with exactly equal coordinates become one vertex. Throws
+/// IoError with the file, what was found, where in the file, and what to do.
 MeshFile read_mesh(const std::filesystem::path& path);
 
 /// A scalar field on the vertices, one value per point; the name has no blanks.

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "foramen/core/mesh.hpp"
+#include "foramen/core/remedy.hpp"
 
 namespace foramen {
 
@@ -34,6 +35,7 @@ struct StatismoModel {
   std::string build_time = "1970-01-01T00:00:00Z";
   std::string builder_name = "foramen";
   std::vector<std::pair<std::string, std::string>> parameters;  ///< unique keys without '/'
+  std::vector<Message> notes;  ///< of the reader: what was changed; not written
 };
 
 /// Writes JSON if the name ends in .json, otherwise HDF5. The name should end in .h5.json or .h5, since
@@ -45,9 +47,11 @@ void write_statismo(const std::filesystem::path& path, const StatismoModel& mode
 /// The model that read_statismo() gives back of one that is written: its numbers have single precision.
 StatismoModel in_single_precision(StatismoModel model);
 
-/// Reads a triangle-mesh model of version 0.9 or 1.x, as JSON if the name ends in .json. Throws IoError with
-/// the file, the dataset and its fault: missing, of the wrong shape, not finite, a negative variance, basis
-/// columns that are not orthonormal within 1e-3, or weights that are not positive.
+/// Reads a triangle-mesh model of version 0.9 or 1.x, as JSON if the name ends in .json. Columns of the basis
+/// that are not orthonormal within 1e-3, as those of Gaussian processes, are replaced by the principal
+/// components of the same covariance \f$ B\,\mathrm{diag}(v)\,B^T \f$, and a note says so; modes without
+/// variance are then left out. Throws IoError with the file, the dataset and its fault: missing, of the wrong
+/// shape, not finite, a negative variance, or weights that are not positive.
 StatismoModel read_statismo(const std::filesystem::path& path);
 
 }  // namespace foramen
