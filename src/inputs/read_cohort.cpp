@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <variant>
 
@@ -13,6 +12,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/surface_size.hpp"
 #include "io/sha256.hpp"
 
 namespace foramen {
@@ -60,29 +60,6 @@ std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) 
                        kind.extensions() + ")");
   }
   return found;
-}
-
-std::string millimetres(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
-void require_plausible_size(double diagonal, LengthUnit unit, bool unit_is_known) {
-  const double mm = diagonal * millimetres_per(unit);
-  if (mm >= smallest_diagonal_mm && mm <= largest_diagonal_mm) return;
-  Message message("the bounding box has a diagonal of " + millimetres(mm) +
-                  " mm; a vertebra has 20 to 250 mm");
-  if (unit_is_known)
-    message.text += ": a part of one, or more than one";
-  else if (const auto likely = likely_unit(diagonal))
-    message.append({": the file is probably in " + std::string(name(*likely)) + ", give this unit",
-                    {{RemedyKind::give_unit, std::string(name(*likely))}}});
-  else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm &&
-           diagonal <= largest_diagonal_mm)
-    message.append({": the file is probably in mm, give no unit", {{RemedyKind::leave_unit_out}}});
-  throw InvalidInput(message);
 }
 
 TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
@@ -138,7 +115,7 @@ std::string source_text(const std::string& file_name, std::optional<int> label) 
   return label ? file_name + ", label " + std::to_string(*label) : file_name;
 }
 
-void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
+void read_meshes(const std::vector<fs::path>& files, const InputUnit& unit,
                  const std::optional<RepairOptions>& repair, const RunContext& ctx, Cohort& cohort) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
@@ -160,8 +137,10 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
       cohort.left_out.push_back({shape->stem, shape->file_name, shape->sha256,
                                  "the same surface as " + source_of(*original) +
                                      ", vertex by vertex; a model counts a shape once: remove the copy"});
-    else
+    else {
+      if (shape->size_note) cohort.notes.push_back(shape->size_note->about(source_of(*shape)));
       cohort.shapes.push_back(std::move(*shape));
+    }
   }
 }
 
@@ -243,19 +222,22 @@ std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
 std::string source_of(const InputShape& shape) { return source_text(shape.file_name, shape.label); }
 std::string source_of(const LeftOut& shape) { return source_text(shape.file_name, shape.label); }
 
-RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
+std::optional<Message> size_note(const Mesh& mesh, const InputUnit& unit) {
+  return check_size(bounding_box(mesh.positions()).diagonal() / millimetres_per(unit.length), unit);
+}
+
+RepairedMesh repair_surface(TriangleSoup raw, const InputUnit& unit, const RepairOptions& options,
                             const RunContext& ctx) {
   // Stray pieces may make the bounding box too large for a vertebra. The unit is refused only if another one
   // would fit.
   const double diagonal = inspect_mesh(raw).box.diagonal();
-  if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit, false);
-  RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);
-  require_plausible_size(bounding_box(repaired.mesh.positions()).diagonal() / millimetres_per(unit), unit,
-                         false);
+  if (likely_unit(diagonal * millimetres_per(unit.length))) check_size(diagonal, unit);
+  RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit.length), options, ctx);
+  size_note(repaired.mesh, unit);
   return repaired;
 }
 
-InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
+InputShape usable_shape(InputShape shape, TriangleSoup surface, const InputUnit& unit,
                         const std::optional<RepairOptions>& repair, const RunContext& ctx) {
   const MeshReport report = inspect_mesh(surface);
   if (const auto obstacle = obstacle_to_model(report)) {
@@ -263,16 +245,20 @@ InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
     RepairedMesh repaired = repair_surface(std::move(surface), unit, *repair, ctx);
     shape.repair = std::move(repaired.report);
     shape.mesh = std::move(repaired.mesh);
+    shape.size_note = size_note(shape.mesh, unit);
     return shape;
   }
-  require_plausible_size(report.box.diagonal(), unit, shape.label.has_value());
-  shape.mesh = build_mesh(in_millimetres(std::move(surface), unit));
+  if (!shape.label)
+    shape.size_note = check_size(report.box.diagonal(), unit);
+  else if (const auto doubt = doubt_about_label(report.box.diagonal()))
+    throw InvalidInput(*doubt);
+  shape.mesh = build_mesh(in_millimetres(std::move(surface), unit.length));
   shape.was_inward = report.inward;
   if (shape.was_inward) shape.mesh = reversed(shape.mesh);
   return shape;
 }
 
-InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional<RepairOptions>& repair,
+InputShape read_shape(const fs::path& file, const InputUnit& unit, const std::optional<RepairOptions>& repair,
                       const RunContext& ctx) {
   InputShape shape;
   shape.stem = file.stem().string();
@@ -289,7 +275,7 @@ InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional
   }
 }
 
-Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx,
+Cohort read_cohort(const std::vector<fs::path>& files, const InputUnit& unit, const RunContext& ctx,
                    const LabelRequest& labels, const std::optional<RepairOptions>& repair) {
   Cohort cohort;
   std::vector<fs::path> meshes;

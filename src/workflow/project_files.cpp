@@ -46,7 +46,7 @@ void write_projected(const Projected& p, const UsableModel& model, const Project
   const auto& triangles = model.landmarks.triangles;
   const auto in_unit = [&](std::span<const Vec3> points) {
     std::vector<Vec3> scaled(points.begin(), points.end());
-    for (Vec3& q : scaled) q /= millimetres_per(request.unit);
+    for (Vec3& q : scaled) q /= millimetres_per(request.unit.length);
     return scaled;
   };
   const VertexScalar of_fit{"distance_mm", p.projection.fit_residual},
@@ -129,6 +129,7 @@ ProjectSummary project_files(const ProjectRequest& request, const RunContext& ct
   for (const Projected& p : all) {
     records.push_back(projected_json(p));
     if (!p.failure) {
+      if (p.input.size_note) summary.notes.push_back(p.input.size_note->about(p.input.file_name));
       write_projected(p, projector.model(), request);
       summary.lines.push_back({{line_of(p.input.stem, p.projection)}});
     } else {

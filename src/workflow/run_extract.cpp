@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/surface_size.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/extraction_record.hpp"
 #include "modelfiles/repair_record.hpp"
@@ -56,6 +58,8 @@ Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& r
   } else if (obstacle) {
     notes.push_back(obstacle->message().about(label.stem + ": not fit for a model"));
   }
+  if (const auto doubt = doubt_about_label(bounding_box(surface.points).diagonal()))
+    notes.push_back(doubt->about(label.stem));
   ordered_json record = {{"file", label.stem + ".ply"},
                          {"label", label.label},
                          {"name", label.name},

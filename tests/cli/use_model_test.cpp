@@ -153,6 +153,34 @@ TEST_F(UseModel, CompleteGivesTheWholeWithItsDeviation) {
   EXPECT_EQ(run("complete --noise 0 " + at("model") + " " + at("part.ply") + " -o x").code, 2);
 }
 
+TEST_F(UseModel, MetresAreRefusedUnlessTheUnitIsGiven) {
+  const auto in_metres = [&](const std::string& from, const std::string& to) {
+    TriangleSoup soup = read_mesh(at(from)).soup;
+    for (Vec3& p : soup.points) p /= 1000;
+    write_ply(at(to), soup);
+    return at(to);
+  };
+  std::ofstream(at("width.json")) << R"({"points": {"a": 0, "b": 9}, "distances": {"ab": ["a", "b"]}})";
+  const std::string surface = in_metres("unseen.ply", "metres.ply");
+  const std::string mean = in_metres("model/mean.ply", "mean_metres.ply");
+  for (const std::string& command :
+       {"project " + at("model") + " " + surface + " -o " + at("of_metres"),
+        "complete " + at("model") + " " + surface + " -o " + at("of_metres"),
+        "measure " + at("model") + " " + at("width.json") + " " + mean + " -o " + at("of_metres.csv")}) {
+    const Outcome refused = run(command);
+    EXPECT_EQ(refused.code, 1) << command << refused.output;
+    EXPECT_THAT(refused.output, HasSubstr("probably in m, give this unit (--units m)"));
+    const Outcome taken = run(command + " --units m");
+    EXPECT_EQ(taken.code, 0) << command << taken.output;
+  }
+  const BoundingBox whole = bounding_box(read_mesh(at("of_metres/completed.ply")).soup.points);
+  EXPECT_NEAR(whole.diagonal(), bounding_box(read_mesh(surface).soup.points).diagonal(), 0.005);
+  const Outcome insisted = run("measure --units mm " + at("model") + " " + at("width.json") + " " + mean +
+                               " -o " + at("of_metres.csv"));
+  EXPECT_EQ(insisted.code, 0) << insisted.output;
+  EXPECT_THAT(insisted.output, HasSubstr("warning: 1 of 1 shapes is not the size of a vertebra"));
+}
+
 TEST_F(UseModel, MeasureWritesARowAShape) {
   std::ofstream(at("measures.json")) << R"({"points": {"a": 0, "b": 9, "c": [0, 0, 0]},
     "distances": {"ab": ["a", "b"]}, "regions": {"all": {"centre": "c", "radius_mm": 500}}})";
