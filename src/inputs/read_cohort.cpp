@@ -52,12 +52,20 @@ constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map
 std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
   std::error_code failed;
   std::vector<fs::path> found;
+  bool holds_label_maps = false;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    if (entry->is_regular_file() && kind.includes(entry->path())) found.push_back(entry->path());
+    if (entry->is_regular_file()) {
+      if (kind.includes(entry->path())) found.push_back(entry->path());
+      holds_label_maps |= is_label_map(entry->path());
+    }
   if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
   if (found.empty()) {
-    throw InvalidInput(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
-                       kind.extensions() + ")");
+    Message message(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
+                    kind.extensions() + ")");
+    if (holds_label_maps)
+      message.append(
+          {", but label maps: make meshes of their labels first", {{RemedyKind::extract_surfaces}}});
+    throw InvalidInput(message);
   }
   return found;
 }
@@ -96,7 +104,9 @@ std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind
     } else if (fs::exists(status)) {
       files.push_back(input);
     } else {
-      throw InvalidInput(input.string() + ": there is no such file or folder (" + failed.message() + ")");
+      const bool missing = failed == std::errc::no_such_file_or_directory;
+      throw InvalidInput(input.string() + ": there is no such file or folder" +
+                         (missing ? "; check the name" : " (" + failed.message() + ")"));
     }
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -126,7 +136,7 @@ void read_meshes(const std::vector<fs::path>& files, const InputUnit& unit,
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{file.stem().string(), file.filename().string(), {}, message_of(e)};
+      result = LeftOut{file.stem().string(), file.filename().string(), {}, reason_without_name(e, file)};
     }
   });
   for (auto& result : results) {
@@ -159,7 +169,7 @@ class LabelMapReader {
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      cohort_.left_out.push_back({label_map_stem(file), name, {}, message_of(e)});
+      cohort_.left_out.push_back({label_map_stem(file), name, {}, reason_without_name(e, file)});
       return;
     }
     for (const RefusedLabel& refused : labels.refused) {
@@ -217,6 +227,13 @@ std::vector<fs::path> find_shape_files(const std::vector<fs::path>& inputs) {
 
 std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
   return find_files(inputs, label_maps_only);
+}
+
+Message reason_without_name(const std::exception& error, const fs::path& file) {
+  Message reason = message_of(error);
+  const std::string name = file.string() + ": ";
+  if (reason.text.starts_with(name)) reason.text.erase(0, name.size());
+  return reason;
 }
 
 std::string source_of(const InputShape& shape) { return source_text(shape.file_name, shape.label); }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "foramen/core/error.hpp"
+#include "foramen/io/label_map.hpp"
 #include "io/mesh_formats.hpp"
 
 namespace foramen {
@@ -29,6 +30,14 @@ const std::vector<std::string>& mesh_extensions() {
 }
 
 MeshFile read_mesh(const std::filesystem::path& path) {
+  if (is_label_map(path))
+    throw InvalidInput(
+        path.string() +
+            ": is a label map, which holds voxels and no surface; make meshes of its labels first",
+        {{RemedyKind::extract_surfaces}});
+  std::error_code failed;
+  if (std::filesystem::is_directory(path, failed))
+    io_detail::Source{path.string(), {}}.refuse("is a folder", "name a mesh file in it");
   const std::string extension = io_detail::lower_case(path.extension().string());
   for (const Format& format : formats) {
     if (extension != format.extension) continue;

@@ -40,7 +40,8 @@ TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::ve
   for (const std::string& name : names) {
     const auto found = std::find(all.names.begin(), all.names.end(), name);
     if (found == all.names.end())
-      throw InvalidInput(folder.string() + ": there is no true correspondence for the shape " + name);
+      throw InvalidInput(folder.string() + ": there is no true correspondence for the shape " + name +
+                         "; its file must have this name");
     truth.shapes.push_back(all.shapes[found - all.names.begin()]);
   }
   return truth;

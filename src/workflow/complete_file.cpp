@@ -82,7 +82,7 @@ CompleteSummary complete_file(const CompleteRequest& request, const RunContext& 
   ctx.step("complete", 1);
 
   const fs::path file = request.output / "completed.ply";
-  fs::create_directories(request.output);
+  make_folder(request.output);
   write_completed(file, completed, model, read.space, request.unit);
   write_posterior(request.output / "posterior.h5", completed.shape, model);
   ordered_json json{{"surface", request.surface.filename().string()}};

@@ -9,6 +9,7 @@
 #include "inputs/read_cohort.hpp"
 #include "inputs/subject_of.hpp"
 #include "inputs/surface_size.hpp"
+#include "io/atomic_file.hpp"
 #include "modelfiles/corresponding_folder.hpp"
 #include "modelfiles/metrics_file.hpp"
 
@@ -26,7 +27,8 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
     const auto file =
         std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return f.stem() == name; });
     if (file == files.end())
-      throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name);
+      throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name +
+                         "; its file must have this name");
     TriangleSoup soup = read_mesh(*file).soup;
     for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
     sizes.add(file->string(), soup.points);
@@ -38,7 +40,7 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
 void write_true_landmarks(const fs::path& target, const CorrespondingCohort& cohort,
                           const TrueCorrespondence& truth, const InputUnit& unit, const RunContext& ctx) {
   auto landmarks = true_landmarks(cohort, truth, ctx);
-  fs::create_directories(target);
+  make_folder(target);
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     for (Vec3& p : landmarks[i]) p /= millimetres_per(unit.length);
     write_ply(target / (cohort.names[i] + ".ply"), {landmarks[i], cohort.triangles});
@@ -89,7 +91,7 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
 
   EvaluatedFolder result{evaluate(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}};
   if (!request.output.empty()) {
-    fs::create_directories(request.output);
+    make_folder(request.output);
     write_metrics(request.output, result.evaluation);
   }
   if (folder.size_note) result.notes.push_back(*folder.size_note);

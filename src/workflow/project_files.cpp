@@ -107,7 +107,7 @@ std::vector<Projected> all_projected(const std::vector<fs::path>& files, const P
     } catch (const Error& e) {
       all[k].input.stem = files[k].stem().string();
       all[k].input.file_name = files[k].filename().string();
-      all[k].failure = message_of(e);
+      all[k].failure = reason_without_name(e, files[k]);
     }
     ctx.step("project", static_cast<double>(++done) / static_cast<double>(files.size()));
   });
@@ -121,9 +121,8 @@ ProjectSummary project_files(const ProjectRequest& request, const RunContext& ct
   ctx.step("model", 0);
   const SurfaceProjector projector(read_usable_model(request.model), ctx);
   if (!request.leave_out.empty()) projector.without(request.leave_out);  // refused before the work begins
+  for (const char* folder : {"corresponding", "fit", "residual"}) make_folder(request.output / folder);
   const std::vector<Projected> all = all_projected(files, request, projector, ctx);
-  for (const char* folder : {"corresponding", "fit", "residual"})
-    fs::create_directories(request.output / folder);
   ProjectSummary summary;
   ordered_json records = ordered_json::array();
   for (const Projected& p : all) {

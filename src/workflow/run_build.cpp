@@ -29,16 +29,13 @@ namespace fs = std::filesystem;
 
 // Finds out before the work that the results can be written after it.
 void prepare_folder(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed || !fs::is_directory(folder))
-    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() + "); give another",
-                  {{RemedyKind::another_output}});
+  make_folder(folder);
   const fs::path probe = folder / ".foramen-write-test";
   if (!std::ofstream(probe))
     throw IoError(folder.string() + ": the folder cannot be written to; give another",
                   {{RemedyKind::another_output}});
-  fs::remove(probe, failed);
+  std::error_code ignored;
+  fs::remove(probe, ignored);
 }
 
 // What killed builds left half-written under names of their own.

@@ -94,7 +94,8 @@ std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunConte
       throw;
     } catch (const Error& e) {
       if (files.size() == 1) throw;
-      summary.left_out.push_back({label_map_stem(files[i]), files[i].filename().string(), {}, message_of(e)});
+      summary.left_out.push_back(
+          {label_map_stem(files[i]), files[i].filename().string(), {}, reason_without_name(e, files[i])});
       continue;
     }
     for (const RefusedLabel& refused : all.back().labels.refused)
@@ -137,12 +138,7 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
     throw InvalidInput(message);
   }
 
-  std::error_code failed;
-  fs::create_directories(request.output, failed);
-  if (failed || !fs::is_directory(request.output))
-    throw IoError(
-        request.output.string() + ": cannot be made a folder (" + failed.message() + "); give another",
-        {{RemedyKind::another_output}});
+  make_folder(request.output);
   for (const Finished& surface : surfaces)
     write_ply(request.output / (surface.stem + ".ply"), surface.surface);
   ordered_json record = {{"version", version()},
