@@ -30,7 +30,7 @@ struct BuildArguments {
   BuildFlags flags;
   LabelFlags label_flags;
   std::string truth, store;
-  LengthUnit unit = LengthUnit::millimetre;
+  InputUnit unit;
   bool refit = false, resume = false, repair = false;
   RepairOptions repair_options;
 

@@ -24,7 +24,7 @@ int compare(const CompareCommand& command) {
   else
     command.console.say(comparison.text);
   const fs::path folder = command.output;
-  fs::create_directories(folder);
+  make_folder(folder);
   write_file(folder / "compare.html", comparison.html);
   write_file(folder / "compare.json", comparison.json + "\n");
   for (const auto& [name, svg] : comparison.charts) write_file(folder / name, svg);

@@ -16,7 +16,7 @@ struct CompleteCommand {
 int complete(const CompleteCommand& command) {
   const Console& console = command.console;
   const CompleteSummary summary = complete_file(command.request, console.context());
-  if (summary.note) console.warn(*summary.note);
+  for (const Message& note : summary.notes) console.warn(note);
   if (console.json) std::cout << summary.json << '\n';
   console.say(summary.text);
   return ExitCode::done;

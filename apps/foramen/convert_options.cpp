@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "described_option.hpp"
+#include "repair_options.hpp"
 
 namespace foramen::app {
 
@@ -10,12 +11,7 @@ void add_convert_options(CLI::App& command, ConvertRequest& request) {
   detail::add_field(command, "--to", request.format,
                     {.meaning = "what to write, where the extension does not say it: scores (.csv); "
                                 "ply, vtp, landmarks (of Scalismo): folders"});
-  add_choice<LengthUnit>(command, "--units", request.unit,
-                         {{"mm", LengthUnit::millimetre},
-                          {"cm", LengthUnit::centimetre},
-                          {"m", LengthUnit::metre},
-                          {"um", LengthUnit::micrometre}},
-                         "of the input's shapes");
+  add_unit_option(command, request.unit);
   command.add_option("--triangles", request.triangles,
                      "a mesh whose vertices the points are, for inputs without triangles");
   add_choice<ScaleMode>(command, "--scale", request.scale,

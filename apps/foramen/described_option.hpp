@@ -16,15 +16,20 @@
 namespace foramen::app {
 namespace detail {
 
-/// Refuses a number out of the option's range before the command begins.
-inline CLI::Validator within(const OptionRange& range) {
+/// Refuses what is no number, or a number out of the option's range, before the command begins.
+template <class Number>
+CLI::Validator within(const OptionRange& range) {
   return CLI::Validator(
       [range](const std::string& text) {
-        double value = 0;
+        Number value{};
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
         const bool is_number = error == std::errc() && end == text.data() + text.size();
-        if (is_number && range.contains(value)) return std::string();
-        return "the value " + text + " is not " + range.text();
+        const bool bounded = !range.text().empty();
+        if (is_number && (!bounded || range.contains(static_cast<double>(value)))) return std::string();
+        std::string expected = std::is_integral_v<Number> ? "a whole number" : "a number";
+        if (std::is_unsigned_v<Number>) expected += " of 0 or more";
+        if (bounded) expected += " " + range.text();
+        return "the value " + text + " is not " + expected;
       },
       range.text());
 }
@@ -51,7 +56,7 @@ CLI::Option* add_field(CLI::App& command, const std::string& flag, Field& field,
     return add_choice<Field>(command, flag, field, choices, help);
   } else {
     CLI::Option* option = command.add_option(flag, field, help);
-    if (!text.range.text().empty()) option->check(within(text.range));
+    if constexpr (std::is_arithmetic_v<Value>) option->check(within<Value>(text.range));
     return option;
   }
 }

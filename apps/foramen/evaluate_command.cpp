@@ -3,6 +3,7 @@
 
 #include "command.hpp"
 #include "described_option.hpp"
+#include "repair_options.hpp"
 #include "workflow/evaluate_folder.hpp"
 
 namespace foramen::app {
@@ -15,6 +16,7 @@ struct EvaluateCommand {
 
 int evaluate(const EvaluateCommand& command) {
   const EvaluatedFolder result = evaluate_folder(command.request, command.console.context());
+  for (const Message& note : result.notes) command.console.warn(note);
   if (command.console.json)
     std::cout << result.json << '\n';
   else
@@ -42,6 +44,7 @@ void add_evaluate(CLI::App& program, Run& run) {
   command->add_option("--true-landmarks", request.true_landmarks,
                       "folder to write the same landmarks in true correspondence to (needs --truth)");
   command->add_option("-o,--output", request.output, "folder for metrics.json and metrics.csv");
+  add_unit_option(*command, request.unit);
   add_described(*command, "--samples", request.options, "draws");
   add_described(*command, "--seed", request.options, "seed");
   command->add_option("--subject-regex", request.subject_pattern,

@@ -12,6 +12,7 @@
 #include "modelfiles/mesh_report_json.hpp"
 #include "modelfiles/repair_record.hpp"
 #include "remedy_words.hpp"
+#include "repair_options.hpp"
 
 namespace foramen::app {
 namespace {
@@ -59,7 +60,18 @@ ordered_json as_json(const std::string& file, const MeshReport& r,
 
 std::string yes_no(bool value) { return value ? "yes" : "no"; }
 
-void print(const std::string& file, const MeshReport& r) {
+// What the size says of the unit. Lengths are in mm if the unit is certain or is another than mm.
+std::string unit_text(const MeshReport& r, const InputUnit& unit) {
+  if (is_in_millimetres(r)) return "mm";
+  if (unit.certain) return "mm; the size of no vertebra";
+  if (unit.length != LengthUnit::millimetre)
+    return "mm; the size of no vertebra: the file is not in " + std::string(name(unit.length));
+  if (const auto likely = likely_unit(r.box.diagonal()))
+    return "not mm; probably " + std::string(name(*likely));
+  return "the size of no vertebra in mm, cm, m or um";
+}
+
+void print(const std::string& file, const MeshReport& r, const InputUnit& unit) {
   std::cout << file << '\n'
             << "  vertices " << r.vertices << ", triangles " << r.triangles << ", edges " << r.edges
             << ", components " << r.components << '\n'
@@ -69,14 +81,8 @@ void print(const std::string& file, const MeshReport& r) {
             << "  degenerate triangles " << r.degenerate_triangles << ", duplicate triangles "
             << r.duplicate_triangles << ", duplicate vertices " << r.duplicate_vertices << '\n';
   const Vec3 size = r.box.high - r.box.low;
-  std::cout << "  size " << size.x() << " x " << size.y() << " x " << size.z();
-  if (is_in_millimetres(r))
-    std::cout << " (mm)";
-  else if (const auto likely = likely_unit(r.box.diagonal()))
-    std::cout << " (not mm; probably " << name(*likely) << ")";
-  else
-    std::cout << " (the size of no vertebra in mm, cm, m or um)";
-  std::cout << ", area " << r.area << ", volume " << r.volume << '\n';
+  std::cout << "  size " << size.x() << " x " << size.y() << " x " << size.z() << " (" << unit_text(r, unit)
+            << "), area " << r.area << ", volume " << r.volume << '\n';
   if (const auto obstacle = obstacle_to_model(r))
     std::cout << "  NOT USABLE: " << worded(obstacle->message()) << '\n';
   else
@@ -85,6 +91,7 @@ void print(const std::string& file, const MeshReport& r) {
 
 struct InspectOptions {
   std::vector<std::string> files;
+  InputUnit unit;
   Console console;
 };
 
@@ -93,7 +100,8 @@ int inspect(const InspectOptions& options) {
   bool refused_any = false;
   for (const std::string& file : options.files) {
     try {
-      const MeshFile read = read_mesh(file);
+      MeshFile read = read_mesh(file);
+      for (Vec3& p : read.soup.points) p *= millimetres_per(options.unit.length);
       const MeshReport report = inspect_mesh(read.soup);
       std::optional<SurfaceHandles> handles;
       if (options.console.json || !options.console.quiet)
@@ -103,7 +111,7 @@ int inspect(const InspectOptions& options) {
         if (!read.notes.empty()) all.back()["notes"] = texts_of(read.notes);
         if (handles) all.back()["handles"] = as_json(*handles);
       } else if (!options.console.quiet) {
-        print(file, report);
+        print(file, report, options.unit);
         for (const Message& note : read.notes) std::cout << "  note: " << worded(note) << '\n';
         if (handles) print(*handles);
       }
@@ -128,6 +136,7 @@ void add_inspect(CLI::App& program, Run& run) {
       program.add_subcommand("inspect", "topology and quality audit of surfaces, one verdict a file");
   command->footer("Example:\n  foramen inspect shapes/*.ply");
   command->add_option("files", options->files, "mesh files")->required();
+  add_unit_option(*command, options->unit);
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return inspect(*options); }; });
 }

@@ -43,6 +43,11 @@ int run_program(int argc, char** argv) {
       if (option->get_required()) option->default_str("");  // a required option has no default
   try {
     program.parse(argc, argv);
+  } catch (const CLI::RequiredError& e) {
+    if (argc < 2 || !program.get_subcommands().empty() || argv[1][0] == '-')
+      return program.exit(e) == 0 ? ExitCode::done : ExitCode::usage;
+    std::cerr << "foramen: there is no command " << argv[1] << "; `foramen --help` lists the commands\n";
+    return ExitCode::usage;
   } catch (const CLI::ParseError& e) {
     return program.exit(e) == 0 ? ExitCode::done : ExitCode::usage;
   }

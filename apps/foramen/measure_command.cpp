@@ -17,6 +17,7 @@ struct MeasureCommand {
 int measure(const MeasureCommand& command) {
   const std::string file = command.request.output.string();
   const MeasureSummary summary = measure_model(command.request, command.console.context());
+  for (const Message& note : summary.notes) command.console.warn(note);
   if (command.console.json)
     std::cout << nlohmann::ordered_json{{"file", file},
                                         {"shapes", summary.shapes},

@@ -39,11 +39,10 @@ void ProgressBar::show(const Progress& progress, double stage_seconds) {
                  left ? time_left(*left).c_str() : "");
     std::fflush(stderr);
     in_line_ = true;
-  } else if (progress.stage != stage_ || percent / 25 != last_percent_ / 25) {
-    std::fprintf(stderr, "%s %d %%\n", progress.stage.c_str(), percent);
+  } else if (told_.insert(progress.stage).second) {
+    std::fprintf(stderr, "%s\n", progress.stage.c_str());
   }
   stage_ = progress.stage;
-  last_percent_ = percent;
 }
 
 void ProgressBar::leave_line() {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "foramen/core/run_context.hpp"
@@ -15,7 +16,7 @@ namespace foramen::app {
 std::optional<double> remaining_seconds(double elapsed_seconds, double fraction);
 
 /// On a terminal, redraws one line with the stage, a bar, the item just finished and the remaining time.
-/// Elsewhere, prints one line per stage, and one for every quarter of a long stage.
+/// Elsewhere, prints the name of each stage once, when it begins.
 class ProgressBar {
  public:
   explicit ProgressBar(bool terminal) : terminal_(terminal) {}
@@ -32,7 +33,7 @@ class ProgressBar {
   bool terminal_;
   bool in_line_ = false;
   std::string stage_;
-  int last_percent_ = 0;
+  std::set<std::string> told_;  // stages whose names were printed
 };
 
 }  // namespace foramen::app

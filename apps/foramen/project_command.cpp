@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "command.hpp"
+#include "foramen/core/error.hpp"
 #include "repair_options.hpp"
 #include "workflow/project_files.hpp"
 
@@ -12,19 +13,27 @@ struct ProjectCommand {
   Console console;
 };
 
+std::string not_projected(std::size_t failed, std::size_t all) {
+  if (failed == all) return all == 1 ? "the surface was not projected" : "none of the surfaces was projected";
+  return std::to_string(failed) + " of " + std::to_string(all) + " surfaces" +
+         (failed == 1 ? " was" : " were") + " not projected";
+}
+
 int project(const ProjectCommand& command) {
   const Console& console = command.console;
   const ProjectSummary summary = project_files(command.request, console.context());
-  bool failed = false;
+  for (const Message& note : summary.notes) console.warn(note);
+  std::size_t failed = 0;
   for (const ProjectSummary::Line& line : summary.lines) {
-    failed |= line.failed;
+    if (line.failed) ++failed;
     if (line.failed)
       console.warn(line.message);
     else
       console.say(line.message.text);
   }
   if (console.json) std::cout << summary.json << '\n';
-  return failed ? ExitCode::refused : ExitCode::done;
+  if (failed > 0) throw InvalidInput(not_projected(failed, summary.lines.size()));
+  return ExitCode::done;
 }
 
 }  // namespace

@@ -9,6 +9,8 @@ std::string flag_for(const Remedy& remedy) {
       return remedy.value.empty() ? "--units" : "--units " + remedy.value;
     case RemedyKind::leave_unit_out:
       return "without --units";
+    case RemedyKind::extract_surfaces:
+      return "run `foramen extract` first";
     case RemedyKind::repair:
       return "run `foramen repair`, or build with --repair";
     case RemedyKind::handle_limit:

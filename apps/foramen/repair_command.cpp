@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 struct RepairCommand {
   std::string input, output;
-  LengthUnit unit = LengthUnit::millimetre;
+  InputUnit unit;
   RepairOptions repair;
   Console console;
 };
@@ -73,13 +73,14 @@ int repair(const RepairCommand& command) {
     }
   }();
   TriangleSoup soup = repaired.mesh.soup();
-  if (command.unit != LengthUnit::millimetre)
-    for (Vec3& p : soup.points) p /= millimetres_per(command.unit);
+  for (Vec3& p : soup.points) p /= millimetres_per(command.unit.length);
   write(command.output, soup, file.space.value_or(AnatomicalSpace::lps));
   if (command.console.json)
     std::cout << as_json(command, repaired).dump(2) << '\n';
   else
     print(command, repaired);
+  if (const auto note = size_note(repaired.mesh, command.unit))
+    command.console.warn(note->about(command.input));
   if (const auto& meeting = repaired.report.remaining_self_intersections; !meeting.empty())
     command.console.warn(std::to_string(meeting.size()) +
                          " pairs of triangles meet still; mend the segmentation there");

@@ -11,6 +11,6 @@ namespace foramen::app {
 /// Adds --handle-limit, --hole-limit and returns them.
 std::vector<CLI::Option*> add_repair_options(CLI::App& command, RepairOptions& options);
 /// Adds --units.
-void add_unit_option(CLI::App& command, LengthUnit& unit);
+void add_unit_option(CLI::App& command, InputUnit& unit);
 
 }  // namespace foramen::app

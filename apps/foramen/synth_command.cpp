@@ -5,6 +5,7 @@
 #include "described_option.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/synth/synth_cohort.hpp"
+#include "io/atomic_file.hpp"
 #include "shape_options.hpp"
 
 namespace foramen::app {
@@ -42,8 +43,8 @@ std::string synth_name(int index) {
 }
 
 void write_synth_cohort(const std::vector<SynthShape>& shapes, const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder / "shapes");
-  std::filesystem::create_directories(folder / "truth");
+  make_folder(folder / "shapes");
+  make_folder(folder / "truth");
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const std::string file = synth_name(static_cast<int>(i)) + ".ply";
     write_ply(folder / "shapes" / file, shapes[i].surface);

@@ -4,6 +4,7 @@
 /// in mm.
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/core/shape.hpp"
+#include "foramen/core/units.hpp"
 #include "foramen/correspond/correspond.hpp"
 #include "foramen/io/mesh_file.hpp"
 
@@ -34,6 +36,9 @@ TriangleArray triangles_array(const std::vector<std::array<int, 3>>& triangles);
 /// Convert "LPS" and "RAS" to a space, and a space to text.
 AnatomicalSpace space_of(const std::string& name);
 std::string name_of(AnatomicalSpace space);
+
+/// input_unit() of the unit with this name. Throws InvalidInput if there is none.
+InputUnit unit_named(const std::optional<std::string>& name);
 
 /// The value as JSON text for Python's json.loads. File names may contain bytes that are invalid in UTF-8.
 std::string text_of(const nlohmann::ordered_json& value);

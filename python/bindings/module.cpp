@@ -66,6 +66,13 @@ std::vector<std::vector<Vec3>> shapes_of(const PointArray& points) {
   return shapes;
 }
 
+InputUnit unit_named(const std::optional<std::string>& name) {
+  if (!name) return {};
+  const auto unit = length_unit(*name);
+  if (!unit) throw InvalidInput("units must be mm, cm, m or um, not " + *name);
+  return input_unit(unit);
+}
+
 AnatomicalSpace space_of(const std::string& name) {
   if (name == "LPS") return AnatomicalSpace::lps;
   if (name == "RAS") return AnatomicalSpace::ras;

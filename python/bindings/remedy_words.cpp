@@ -11,6 +11,8 @@ std::string keyword_for(const Remedy& remedy) {
       return (remedy.value.empty() ? "units" : "units='" + remedy.value + "'") + " of files; a Mesh is in mm";
     case RemedyKind::leave_unit_out:
       return "without units";
+    case RemedyKind::extract_surfaces:
+      return "foramen.extract()";
     case RemedyKind::repair:
       return "foramen.repair(), or repair=True";
     case RemedyKind::handle_limit:

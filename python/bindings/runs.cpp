@@ -75,11 +75,6 @@ class CanonicalCommand {
   std::string text_;
 };
 
-LengthUnit unit_named(const std::string& word) {
-  if (const auto unit = length_unit(word)) return *unit;
-  throw InvalidInput("units must be mm, cm, m or um, not " + word);
-}
-
 struct GivenLabels {
   LabelChoices choices;
   std::optional<LabelRequest> request;
@@ -122,7 +117,7 @@ std::string build_folder(const std::vector<std::string>& inputs, const std::stri
   BuildRequest request;
   request.inputs.assign(inputs.begin(), inputs.end());
   request.output = output;
-  if (units) request.unit = unit_named(*units);
+  request.unit = unit_named(units);
   request.labels = given_labels.request;
   request.repair = repair_from(repair, limits);
   request.build = build_options(choices);
@@ -167,14 +162,16 @@ std::string extract_folder(const std::vector<std::string>& inputs, const std::st
 
 std::string evaluate_files(const std::string& corresponding, const std::string& shapes,
                            const std::string& truth, const std::string& true_landmarks,
-                           const std::string& output, const std::string& subject_regex,
-                           const py::dict& options, int threads, const py::object& progress) {
+                           const std::string& output, const std::optional<std::string>& units,
+                           const std::string& subject_regex, const py::dict& options, int threads,
+                           const py::object& progress) {
   EvaluateFolderRequest request;
   request.corresponding = corresponding;
   request.shapes = shapes;
   request.truth = truth;
   request.true_landmarks = true_landmarks;
   request.output = output;
+  request.unit = unit_named(units);
   request.subject_pattern = subject_regex;
   set_options(request.options, options, "evaluate");
   std::string json;
@@ -197,8 +194,8 @@ std::string report(const std::string& model, const std::string& output, const st
 
 // Returns files, shapes, landmarks and notes.
 py::tuple convert_files(const std::string& input, const std::string& output, const py::object& format,
-                        const std::string& unit, const std::string& triangles, const py::object& scale,
-                        int threads, const py::object& progress) {
+                        const std::optional<std::string>& unit, const std::string& triangles,
+                        const py::object& scale, int threads, const py::object& progress) {
   ConvertRequest request{.input = input, .output = output};
   detail::set_field(request.format, format, "to");
   request.unit = unit_named(unit);

@@ -54,7 +54,7 @@ py::tuple project(const SurfaceProjector& projector, const PointArray& points, c
 py::tuple complete(const UsableModel& model, const PointArray& points, const TriangleArray& triangles,
                    const std::string& space, double noise_mm, double beyond_modes, const py::dict& further,
                    int threads, const py::object& progress) {
-  const TriangleSoup soup = soup_of(points, triangles);
+  TriangleSoup soup = soup_of(points, triangles);
   CompleteSurfaceOptions options;
   options.noise_mm = noise_mm;
   options.beyond_modes = beyond_modes;
@@ -65,7 +65,8 @@ py::tuple complete(const UsableModel& model, const PointArray& points, const Tri
   posterior.space = space_of(space);
   run_unlocked(threads, progress, [&](const RunContext& ctx) {
     ctx.step("complete", 0);
-    completed = complete_surface(usable_part(soup), model.aligned.model, ctx, options);
+    completed = complete_surface(usable_part(std::move(soup), InputUnit(), model.aligned.model).mesh,
+                                 model.aligned.model, ctx, options);
     posterior.model = principal_model(completed.shape, model.landmarks.triangles);
     posterior.scores.resize(posterior.model.modes(), 0);
     ctx.step("complete", 1);
@@ -114,15 +115,14 @@ struct Definitions {
 
 // Returns names, points, distances and areas.
 py::tuple measure_meshes(const LoadedModel& loaded, const std::string& file, const std::string& text,
-                         const std::vector<std::string>& inputs, const std::string& unit,
+                         const std::vector<std::string>& inputs, const std::optional<std::string>& unit,
                          const py::object& progress) {
-  const auto in_unit = length_unit(unit);
-  if (!in_unit) throw InvalidInput("units must be mm, cm, m or um, not " + unit);
+  const InputUnit in_unit = unit_named(unit);
   const Definitions definitions(file, text);
   std::vector<MeasuredShape> shapes;
   run_unlocked(1, progress, [&](const RunContext& ctx) {
     const Measurer measurer = measurer_of(loaded.model, definitions.measures, definitions.source);
-    shapes = measure_files(measurer, {inputs.begin(), inputs.end()}, *in_unit, ctx);
+    shapes = measure_files(measurer, {inputs.begin(), inputs.end()}, in_unit, ctx).shapes;
   });
   std::vector<std::string> names;
   std::vector<ShapeMeasures> measures;

@@ -151,8 +151,8 @@ def _true_correspondence(truth, names):
     return _in_correspondence(list(truth))
 
 
-def evaluate(corresponding, *, names=None, shapes=None, truth=None, true_landmarks=None, output=None, samples=None, seed=None,
-             subjects=None, subject_regex="", scale=None, weights=None, options=None, threads=0, progress=None):
+def evaluate(corresponding, *, names=None, shapes=None, truth=None, true_landmarks=None, output=None, units=None, samples=None,
+             seed=None, subjects=None, subject_regex="", scale=None, weights=None, options=None, threads=0, progress=None):
     """Computes compactness, generalization, specificity and other measures of corresponding shapes of any tool.
 
     In memory: corresponding is a Model, or Mesh objects with the same triangles (a sequence with names, or a mapping
@@ -162,7 +162,8 @@ def evaluate(corresponding, *, names=None, shapes=None, truth=None, true_landmar
     same names. subjects: one per shape.
 
     From files: corresponding is a folder of meshes. The result is a dict with the contents of metrics.json. shapes and
-    truth: folders of meshes with the same names; true_landmarks and output: folders to write to.
+    truth: folders of meshes with the same names; true_landmarks and output: folders to write to. units: the unit of
+    all these meshes, mm, cm, m or um; "mm", if given, also takes sizes that no vertebra has.
 
     samples, seed, subject_regex, scale and weights: as for build(); the defaults for a Model are its own scale and
     weights. options: a dict of all other options, see list_options("evaluate").
@@ -173,10 +174,10 @@ def evaluate(corresponding, *, names=None, shapes=None, truth=None, true_landmar
         if names is not None or subjects is not None:
             raise InvalidInput("names and subjects are of shapes in memory; a folder's are named by their files")
         paths = ["" if path is None else os.fspath(path) for path in (shapes, truth, true_landmarks, output)]
-        return json.loads(_foramen.evaluate_folder(os.fspath(corresponding), *paths, subject_regex, settings, threads,
-                                                   progress))
-    if true_landmarks is not None or output is not None:
-        raise InvalidInput("true_landmarks and output are for folders; the shapes given are in memory")
+        return json.loads(_foramen.evaluate_folder(os.fspath(corresponding), *paths, units, subject_regex, settings,
+                                                   threads, progress))
+    if true_landmarks is not None or output is not None or units is not None:
+        raise InvalidInput("true_landmarks, output and units are for folders; the shapes given are in memory and in mm")
     if subjects is not None and subject_regex:
         raise InvalidInput("subjects and subject_regex exclude each other; leave one of them out")
     surfaces = None

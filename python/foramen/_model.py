@@ -141,14 +141,15 @@ class Model:
             warnings.warn(note + ": look at the result", stacklevel=2)
         return Completion(Mesh(points, self.triangles, mesh.space), sd, seen, json.loads(figures), posterior)
 
-    def measure(self, definitions, shapes=None, *, units="mm", progress=None):
+    def measure(self, definitions, shapes=None, *, units=None, progress=None):
         """Measures points, distances and areas, which are defined once on the mean, on many shapes. The result is a
         Measures.
 
         definitions: a dict or a JSON file of points (a landmark's index or a position [x, y, z] on the mean, mm),
         distances (a pair of points) and regions ({"centre": point, "radius_mm": r} or {"landmarks": [...]}), with any
         names. shapes: landmarks (P, 3) or (N, P, 3) in mm, or mesh files with the model's landmarks and folders of
-        them; None: the training shapes. units: the unit of the files.
+        them; None: the training shapes. units: the unit of the files, mm, cm, m or um; "mm", if given, also takes
+        sizes that no vertebra has.
         """
         if isinstance(definitions, dict):
             file, text = "", json.dumps(definitions, default=_plain)

@@ -74,7 +74,7 @@ def convert(input, output, *, to=None, units=None, triangles=None, scale=None, t
     input's shapes; triangles: a mesh file, for inputs of points without triangles; scale: "keep" or "remove", if a
     model is made from shapes.
     """
-    files, shapes, landmarks, notes = _foramen.convert(os.fspath(input), os.fspath(output), to, units or "mm", _path(triangles),
+    files, shapes, landmarks, notes = _foramen.convert(os.fspath(input), os.fspath(output), to, units, _path(triangles),
                                                        scale, threads, progress)
     return {"output": os.fspath(output), "files": files, "shapes": shapes, "landmarks": landmarks, "notes": notes}
 

@@ -18,6 +18,10 @@ constexpr std::array<UnitRow, 4> units{{{LengthUnit::millimetre, "mm", 1.0},
 
 }  // namespace
 
+InputUnit input_unit(std::optional<LengthUnit> given) {
+  return given ? InputUnit(*given, *given == LengthUnit::millimetre) : InputUnit();
+}
+
 double millimetres_per(LengthUnit unit) { return units[static_cast<std::size_t>(unit)].millimetres; }
 
 std::string_view name(LengthUnit unit) { return units[static_cast<std::size_t>(unit)].name; }

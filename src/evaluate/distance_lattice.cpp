@@ -14,8 +14,10 @@ using Floats = Eigen::Array4f;
 constexpr std::size_t lanes = 4;
 // Bound of the relative rounding error of about 20 single-precision operations on numbers of one sign.
 constexpr float rounding = 4e-6f;
-// Bound of the rounding of positions to single precision within a cell, mm.
-constexpr float rounding_mm = 1e-6f;
+// Bound of the rounding of positions to single precision within a cell, relative to the spacing.
+constexpr float rounding_in_cell = 1e-6f;
+// Limits of the memory for the nodes and for the stored distances (16 MB and 1 GB).
+constexpr double most_nodes = 1 << 22, most_distances = 1 << 28;
 constexpr int nothing = -1;
 
 float rounded_down(double x) {
@@ -27,27 +29,8 @@ float rounded_down(double x) {
 DistanceLattice::DistanceLattice(const MeasuredSurface& middle, const std::vector<MeasuredSurface>& surfaces,
                                  double reach, double spacing, const RunContext& ctx)
     : spacing_(spacing), width_((surfaces.size() + lanes - 1) / lanes * lanes) {
-  const BoundingBox box = bounding_box(middle.tree().mesh().positions());
-  low_ = box.low - Vec3::Constant(reach + spacing);
-  for (std::size_t a = 0; a < 3; ++a) {
-    const auto axis = static_cast<Eigen::Index>(a);
-    size_[a] = static_cast<int>(std::ceil((box.high[axis] + reach + spacing - low_[axis]) / spacing)) + 1;
-  }
-  const auto layer = static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]);
-  row_.assign(layer * static_cast<std::size_t>(size_[2]), nothing);
-  const auto for_nodes_of_layer = [&](int k, const auto& visit) {
-    for (int j = 0; j < size_[1]; ++j)
-      for (int i = 0; i < size_[0]; ++i) visit(node(i, j, k), point(i, j, k));
-  };
-  parallel_for(size_[2], ctx, [&](int k) {
-    for_nodes_of_layer(k, [&](std::size_t n, const Vec3& x) {
-      if (middle.tree().any_within(x, reach)) row_[n] = 0;
-    });
-  });
-  int rows = 0;
-  for (int& row : row_)
-    if (row != nothing) row = rows++;
-  squared_.assign(static_cast<std::size_t>(rows) * width_, 0.0f);
+  while (!lay_out(middle, reach, ctx)) spacing_ *= 2;
+  squared_.assign(static_cast<std::size_t>(rows_) * width_, 0.0f);
   parallel_for(size_[2], ctx, [&](int k) {
     for_nodes_of_layer(k, [&](std::size_t n, const Vec3& x) {
       if (row_[n] == nothing) return;
@@ -56,6 +39,29 @@ DistanceLattice::DistanceLattice(const MeasuredSurface& middle, const std::vecto
         row[s] = std::max(0.0f, rounded_down(surfaces[s].tree().squared_distance(x)));
     });
   });
+}
+
+bool DistanceLattice::lay_out(const MeasuredSurface& middle, double reach, const RunContext& ctx) {
+  const BoundingBox box = bounding_box(middle.tree().mesh().positions());
+  low_ = box.low - Vec3::Constant(reach + spacing_);
+  double nodes = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    const double along = std::ceil((box.high[axis] + reach + spacing_ - low_[axis]) / spacing_) + 1;
+    nodes *= along;
+    if (nodes > most_nodes) return false;
+    size_[a] = static_cast<int>(along);
+  }
+  row_.assign(static_cast<std::size_t>(nodes), nothing);
+  parallel_for(size_[2], ctx, [&](int k) {
+    for_nodes_of_layer(k, [&](std::size_t n, const Vec3& x) {
+      if (middle.tree().any_within(x, reach)) row_[n] = 0;
+    });
+  });
+  rows_ = 0;
+  for (int& row : row_)
+    if (row != nothing) row = rows_++;
+  return static_cast<double>(rows_) * static_cast<double>(width_) <= most_distances;
 }
 
 bool DistanceLattice::locate(const Vec3& p, Place& place) const {
@@ -87,11 +93,12 @@ bool DistanceLattice::lower_bounds(const Vec3& p, std::span<float> bounds) const
   double spread = 0;
   for (const double t : place.t) spread += t * (1 - t);
   const auto subtracted = static_cast<float>(spacing_ * spacing_ * spread) * (1 + rounding);
+  const auto lost_in_cell = static_cast<float>(spacing_) * rounding_in_cell;
   for (std::size_t s = 0; s < width_; s += lanes) {
     Floats sum = Floats::Zero();
     for (std::size_t c = 0; c < 8; ++c) sum += weights[c] * Eigen::Map<const Floats>(rows[c] + s);
     Eigen::Map<Floats>(bounds.data() + s) =
-        ((sum * (1 - rounding) - subtracted).max(0.0f).sqrt() * (1 - rounding) - rounding_mm).max(0.0f);
+        ((sum * (1 - rounding) - subtracted).max(0.0f).sqrt() * (1 - rounding) - lost_in_cell).max(0.0f);
   }
   return true;
 }
@@ -106,7 +113,7 @@ bool DistanceLattice::surely_within(std::size_t surface, const Vec3& p, double r
   const double squared = static_cast<double>(squared_[static_cast<std::size_t>(row) * width_ + surface]);
   const double from_node = (p - point(nearest[0], nearest[1], nearest[2])).norm();
   const auto margin = static_cast<double>(rounding);
-  return std::sqrt(squared) * (1 + margin) + margin + from_node <= radius;
+  return std::sqrt(squared) * (1 + margin) + margin * spacing_ + from_node <= radius;
 }
 
 }  // namespace foramen::detail

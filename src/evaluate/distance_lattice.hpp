@@ -20,6 +20,7 @@ namespace foramen::detail {
 /// order in the spacing.
 class DistanceLattice {
  public:
+  /// \param spacing  the spacing of nodes; it is doubled until the table takes no more than about 1 GB
   /// \param reach  nodes farther than this from the middle surface are not stored, and lower_bounds() is
   /// false near them
   DistanceLattice(const MeasuredSurface& middle, const std::vector<MeasuredSurface>& surfaces, double reach,
@@ -40,6 +41,13 @@ class DistanceLattice {
     std::array<int, 3> cell;
     std::array<double, 3> t;  // coordinates within the cell, 0 .. 1
   };
+  // Sets the nodes for the spacing; false if they would take too much memory.
+  bool lay_out(const MeasuredSurface& middle, double reach, const RunContext& ctx);
+  template <class Visit>
+  void for_nodes_of_layer(int k, const Visit& visit) const {
+    for (int j = 0; j < size_[1]; ++j)
+      for (int i = 0; i < size_[0]; ++i) visit(node(i, j, k), point(i, j, k));
+  }
   bool locate(const Vec3& p, Place& place) const;
   std::size_t node(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(j)) *
@@ -52,6 +60,7 @@ class DistanceLattice {
   Vec3 low_;
   std::array<int, 3> size_{};
   std::size_t width_;
+  int rows_ = 0;                // stored nodes
   std::vector<int> row_;        // per node: index of its row; -1: not stored
   std::vector<float> squared_;  // rows of width_ numbers, rounded down
 };

@@ -23,6 +23,8 @@ constexpr int no_child = std::numeric_limits<int>::max();
 // Error bound of a query in single precision, in rounding units of the largest coordinate. A query has about
 // 40 operations, but their errors do not all have one sign.
 constexpr float rounding_units = 32;
+// The largest coordinate of a query from the centre of the mesh, relative to its diagonal: queries are near it.
+constexpr double largest_coordinate = 0.52;
 // Ratio of height to longest side below which distances to a triangle in single precision are useless.
 constexpr double sliver_height = 0.02;
 // Splits halve ranges, so the depth is at most 16 nodes, each of which leaves three siblings on the stack.
@@ -138,7 +140,7 @@ void PackedTriangles::fill(Packet& packet) const {
 void PackedTriangles::refresh() {
   const BoundingBox whole = bounding_box(mesh_.positions());
   origin_ = 0.5 * (whole.low + whole.high);
-  const double scale = 0.5 * whole.diagonal() + 1;  // queries are near the mesh; lengths are in mm
+  const double scale = largest_coordinate * whole.diagonal();
   rounding_ = rounding_units * std::numeric_limits<float>::epsilon() * static_cast<float>(scale);
   for (Packet& p : packets_) fill(p);
 

@@ -26,19 +26,26 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // measure. For fewer surfaces the lattice is coarser, because a fine one would cost more time than it saves.
 constexpr double finest_lattice = 1.0 / 110;
 constexpr double surfaces_worth_the_finest = 5000;
+// The least reach of the lattice, relative to the diagonal of the middle surface.
+constexpr double least_reach = 1.0 / 90;
 // Usual distance of drawn surfaces from the mean, in standard deviations of a landmark.
 constexpr double usual_deviations = 2;
 
 /// mm
+double diagonal_of_mean(const ShapeModel& model) {
+  return bounding_box(unflattened(model.mean())).diagonal();
+}
+
+/// mm
 double usual_reach(const ShapeModel& model) {
-  return 1 + usual_deviations * std::sqrt(model.variance().sum() / model.total_weight());
+  return least_reach * diagonal_of_mean(model) +
+         usual_deviations * std::sqrt(model.variance().sum() / model.total_weight());
 }
 
 /// mm
 double lattice_spacing(const ShapeModel& model, int surfaces) {
-  const auto mean = unflattened(model.mean());
   const double coarser = std::cbrt(surfaces_worth_the_finest / std::max(1, surfaces));
-  return bounding_box(mean).diagonal() * finest_lattice * std::max(1.0, coarser);
+  return diagonal_of_mean(model) * finest_lattice * std::max(1.0, coarser);
 }
 
 void lower(std::atomic<double>& smallest, double value) {

@@ -50,7 +50,7 @@ struct ConvertRequest {
   std::filesystem::path input;
   std::filesystem::path output;
   std::optional<ExchangeFormat> format = std::nullopt;  ///< unset: by the extension; ply for a folder
-  LengthUnit unit = LengthUnit::millimetre;             ///< unit of the shapes in the input; models are in mm
+  InputUnit unit = {};                                  ///< unit of the shapes in the input; models are in mm
   std::filesystem::path triangles = {};  ///< a mesh whose triangles are used for points without triangles
   ScaleMode scale = ScaleMode::keep;     ///< for the alignment, if a model is made from shapes
   std::string command = {};              ///< recorded in models

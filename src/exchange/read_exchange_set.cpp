@@ -6,6 +6,7 @@
 #include "exchange/exchange_set.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "inputs/surface_size.hpp"
 #include "io/named_points.hpp"
 #include "io/shapeworks_project.hpp"
 #include "modelfiles/atlas_file.hpp"
@@ -53,14 +54,19 @@ void add_training_shapes(ExchangeSet& set) {
         "the model holds no scores of its training shapes: only the model can be converted");
   else
     set.notes.emplace_back("shapes are the model's own of its training shapes, in the model's coordinates");
+  // A model says its unit, so its shapes are told and not refused.
+  SizeCheck sizes({LengthUnit::millimetre, true});
+  for (std::size_t i = 0; i < set.shapes.size(); ++i) sizes.add(set.names[i], set.shapes[i]);
+  if (const auto note = sizes.note()) set.notes.push_back(*note);
 }
 
 // Reads meshes and converts those in RAS to LPS. Returns for each mesh whether it was in RAS.
-std::vector<bool> read_meshes(ExchangeSet& set, const fs::path& folder, LengthUnit unit) {
+std::vector<bool> read_meshes(ExchangeSet& set, const fs::path& folder, const InputUnit& unit) {
   CorrespondingFolder read = read_corresponding(folder, unit);
   set.names = std::move(read.names);
   set.shapes = std::move(read.shapes);
   set.triangles = std::move(read.triangles);
+  if (read.size_note) set.notes.push_back(*read.size_note);
   std::vector<bool> turned;
   for (std::size_t i = 0; i < read.spaces.size(); ++i) {
     turned.push_back(read.spaces[i] == AnatomicalSpace::ras);
@@ -102,7 +108,7 @@ ExchangeSet read_model_file(const fs::path& file) {
   return set;
 }
 
-ExchangeSet read_model_folder(const fs::path& folder, LengthUnit unit) {
+ExchangeSet read_model_folder(const fs::path& folder, const InputUnit& unit) {
   ExchangeSet set = read_model_file(folder / "model.h5");
   if (!fs::is_directory(folder / "corresponding")) {
     add_training_shapes(set);
@@ -185,12 +191,12 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
       return set;
     }
     set = read_particles_folder(files);
-    to_millimetres(set, request.unit);
+    to_millimetres(set, request.unit.length);
     return set;
   }
   const std::string extension = input.extension().string();
   if (extension == ".h5" || extension == ".json") {
-    if (request.unit != LengthUnit::millimetre)
+    if (request.unit.length != LengthUnit::millimetre)
       throw InvalidInput(input.string() + ": a model is in mm; give no unit", {{RemedyKind::leave_unit_out}});
     ExchangeSet set = read_model_file(input);
     add_training_shapes(set);
@@ -211,7 +217,7 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
     throw InvalidInput(input.string() +
                        ": is none of what can be converted: a model's folder, .h5, .h5.json, a folder of "
                        "corresponding meshes or of .particles, .swproj, .tps, .csv");
-  to_millimetres(set, request.unit);
+  to_millimetres(set, request.unit.length);
   return set;
 }
 
@@ -247,28 +253,22 @@ void check_names(const ConvertRequest& request, const ExchangeSet& set) {
   }
 }
 
-void note_sizes(ExchangeSet& set) {
-  int odd = 0;
-  for (const auto& shape : set.shapes) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& p : shape) box.extend(p);
-    const double diagonal = box.diagonal().norm();
-    odd += diagonal < smallest_diagonal_mm || diagonal > largest_diagonal_mm ? 1 : 0;
-  }
-  if (odd > 0)
-    set.notes.push_back(
-        {std::to_string(odd) + " of " + std::to_string(set.shapes.size()) +
-             " shapes are not the size of a vertebra in mm; if the input has another unit, give it",
-         {{RemedyKind::give_unit}}});
+// Meshes were checked when they were read.
+void check_sizes(const ConvertRequest& request, ExchangeSet& set) {
+  SizeCheck sizes(request.unit);
+  for (std::size_t i = 0; i < set.shapes.size(); ++i)
+    sizes.add(request.input.string() + ": " + set.names[i], set.shapes[i]);
+  if (const auto note = sizes.note()) set.notes.push_back(*note);
 }
 
 }  // namespace
 
 ExchangeSet read_exchange_set(const ConvertRequest& request) {
   ExchangeSet set = read_by_kind(request);
+  const bool only_points = !set.model && set.triangles.empty();
   if (!request.triangles.empty()) add_triangles(set, request.triangles);
   check_names(request, set);
-  note_sizes(set);
+  if (only_points) check_sizes(request, set);
   return set;
 }
 

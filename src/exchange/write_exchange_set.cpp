@@ -4,6 +4,7 @@
 #include "exchange/exchange_set.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "io/atomic_file.hpp"
 #include "io/named_points.hpp"
 #include "io/scalismo_landmarks.hpp"
 #include "io/shapeworks_project.hpp"
@@ -39,7 +40,7 @@ std::vector<NamedPoints> named_points(const ExchangeSet& set) {
 // set.
 void prepare_folder(const fs::path& folder, const std::vector<std::string>& names,
                     const std::string& extension) {
-  fs::create_directories(folder);
+  make_folder(folder);
   const std::set<std::string> known(names.begin(), names.end());
   for (const auto& entry : fs::directory_iterator(folder)) {
     const fs::path file = entry.path().filename();
@@ -79,8 +80,8 @@ std::size_t write_project(const ExchangeSet& set, const ConvertRequest& request,
   require_triangles(set.triangles);
   const auto transforms = common_transforms(set, request.scale);
   const fs::path folder = request.output.parent_path();
-  fs::create_directories(folder / "groomed");
-  fs::create_directories(folder / "particles");
+  make_folder(folder / "groomed");
+  make_folder(folder / "particles");
   std::vector<ShapeWorksSubject> subjects;
   for (std::size_t i = 0; i < set.names.size(); ++i) {
     ctx.step("write", static_cast<double>(i) / static_cast<double>(set.names.size()));
@@ -135,7 +136,7 @@ std::size_t write_exchange_set(const ExchangeSet& set, const ConvertRequest& req
                                const RunContext& ctx) {
   const bool is_model = format == ExchangeFormat::statismo || format == ExchangeFormat::scalismo_json;
   if (!is_model) require_shapes(set, request);
-  if (request.output.has_parent_path()) fs::create_directories(request.output.parent_path());
+  if (request.output.has_parent_path()) make_folder(request.output.parent_path());
   switch (format) {
     case ExchangeFormat::statismo:
     case ExchangeFormat::scalismo_json:

@@ -128,7 +128,8 @@ LabelSurfaces extract_labels(const std::filesystem::path& file, const LabelReque
   if (!plan.unnamed.empty())
     result.notes.push_back({name + ": " + plural(plan.unnamed.size(), "label ", "labels ") +
                                 listed(plan.unnamed) + plural(plan.unnamed.size(), " has", " have") +
-                                " no name and were not taken: choose among them, or say what they are",
+                                " no name and " + plural(plan.unnamed.size(), "was", "were") +
+                                " not taken: choose among them, or say what they are",
                             {{RemedyKind::choose_labels}, {RemedyKind::name_labels}}});
   return result;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <variant>
 
@@ -12,6 +11,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/surface_size.hpp"
 #include "io/foreign_file.hpp"
 #include "io/sha256.hpp"
 
@@ -55,38 +55,23 @@ void refuse_foreign_files(const fs::path& folder) {
 std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
   std::error_code failed;
   std::vector<fs::path> found;
+  bool holds_label_maps = false;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    if (entry->is_regular_file() && kind.includes(entry->path())) found.push_back(entry->path());
+    if (entry->is_regular_file()) {
+      if (kind.includes(entry->path())) found.push_back(entry->path());
+      holds_label_maps |= is_label_map(entry->path());
+    }
   if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
   if (found.empty()) {
     refuse_foreign_files(folder);
-    throw InvalidInput(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
-                       kind.extensions() + ")");
+    Message message(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
+                    kind.extensions() + ")");
+    if (holds_label_maps)
+      message.append(
+          {", but label maps: make meshes of their labels first", {{RemedyKind::extract_surfaces}}});
+    throw InvalidInput(message);
   }
   return found;
-}
-
-std::string millimetres(double value) {
-  std::ostringstream text;
-  text.precision(3);
-  text << value;
-  return text.str();
-}
-
-void require_plausible_size(double diagonal, LengthUnit unit, bool unit_is_known) {
-  const double mm = diagonal * millimetres_per(unit);
-  if (mm >= smallest_diagonal_mm && mm <= largest_diagonal_mm) return;
-  Message message("the bounding box has a diagonal of " + millimetres(mm) +
-                  " mm; a vertebra has 20 to 250 mm");
-  if (unit_is_known)
-    message.text += ": a part of one, or more than one";
-  else if (const auto likely = likely_unit(diagonal))
-    message.append({": the file is probably in " + std::string(name(*likely)) + ", give this unit",
-                    {{RemedyKind::give_unit, std::string(name(*likely))}}});
-  else if (unit != LengthUnit::millimetre && diagonal >= smallest_diagonal_mm &&
-           diagonal <= largest_diagonal_mm)
-    message.append({": the file is probably in mm, give no unit", {{RemedyKind::leave_unit_out}}});
-  throw InvalidInput(message);
 }
 
 TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
@@ -123,7 +108,9 @@ std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind
     } else if (fs::exists(status)) {
       files.push_back(input);
     } else {
-      throw InvalidInput(input.string() + ": there is no such file or folder (" + failed.message() + ")");
+      const bool missing = failed == std::errc::no_such_file_or_directory;
+      throw InvalidInput(input.string() + ": there is no such file or folder" +
+                         (missing ? "; check the name" : " (" + failed.message() + ")"));
     }
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -142,7 +129,7 @@ std::string source_text(const std::string& file_name, std::optional<int> label) 
   return label ? file_name + ", label " + std::to_string(*label) : file_name;
 }
 
-void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
+void read_meshes(const std::vector<fs::path>& files, const InputUnit& unit,
                  const std::optional<RepairOptions>& repair, const RunContext& ctx, Cohort& cohort) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
@@ -153,7 +140,7 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{mesh_stem(file), file.filename().string(), {}, message_of(e)};
+      result = LeftOut{mesh_stem(file), file.filename().string(), {}, reason_without_name(e, file)};
     }
   });
   for (auto& result : results) {
@@ -165,8 +152,10 @@ void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
       cohort.left_out.push_back({shape->stem, shape->file_name, shape->sha256,
                                  "the same surface as " + source_of(*original) +
                                      ", vertex by vertex; a model counts a shape once: remove the copy"});
-    else
+    else {
+      if (shape->size_note) cohort.notes.push_back(shape->size_note->about(source_of(*shape)));
       cohort.shapes.push_back(std::move(*shape));
+    }
   }
 }
 
@@ -185,7 +174,7 @@ class LabelMapReader {
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      cohort_.left_out.push_back({label_map_stem(file), name, {}, message_of(e)});
+      cohort_.left_out.push_back({label_map_stem(file), name, {}, reason_without_name(e, file)});
       return;
     }
     for (const RefusedLabel& refused : labels.refused) {
@@ -245,22 +234,32 @@ std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
   return find_files(inputs, label_maps_only);
 }
 
+Message reason_without_name(const std::exception& error, const fs::path& file) {
+  Message reason = message_of(error);
+  const std::string name = file.string() + ": ";
+  if (reason.text.starts_with(name)) reason.text.erase(0, name.size());
+  return reason;
+}
+
 std::string source_of(const InputShape& shape) { return source_text(shape.file_name, shape.label); }
 std::string source_of(const LeftOut& shape) { return source_text(shape.file_name, shape.label); }
 
-RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
+std::optional<Message> size_note(const Mesh& mesh, const InputUnit& unit) {
+  return check_size(bounding_box(mesh.positions()).diagonal() / millimetres_per(unit.length), unit);
+}
+
+RepairedMesh repair_surface(TriangleSoup raw, const InputUnit& unit, const RepairOptions& options,
                             const RunContext& ctx) {
   // Stray pieces may make the bounding box too large for a vertebra. The unit is refused only if another one
   // would fit.
   const double diagonal = inspect_mesh(raw).box.diagonal();
-  if (likely_unit(diagonal * millimetres_per(unit))) require_plausible_size(diagonal, unit, false);
-  RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit), options, ctx);
-  require_plausible_size(bounding_box(repaired.mesh.positions()).diagonal() / millimetres_per(unit), unit,
-                         false);
+  if (likely_unit(diagonal * millimetres_per(unit.length))) check_size(diagonal, unit);
+  RepairedMesh repaired = repair_mesh(in_millimetres(std::move(raw), unit.length), options, ctx);
+  size_note(repaired.mesh, unit);
   return repaired;
 }
 
-InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
+InputShape usable_shape(InputShape shape, TriangleSoup surface, const InputUnit& unit,
                         const std::optional<RepairOptions>& repair, const RunContext& ctx) {
   const MeshReport report = inspect_mesh(surface);
   if (const auto obstacle = obstacle_to_model(report)) {
@@ -268,16 +267,20 @@ InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
     RepairedMesh repaired = repair_surface(std::move(surface), unit, *repair, ctx);
     shape.repair = std::move(repaired.report);
     shape.mesh = std::move(repaired.mesh);
+    shape.size_note = size_note(shape.mesh, unit);
     return shape;
   }
-  require_plausible_size(report.box.diagonal(), unit, shape.label.has_value());
-  shape.mesh = build_mesh(in_millimetres(std::move(surface), unit));
+  if (!shape.label)
+    shape.size_note = check_size(report.box.diagonal(), unit);
+  else if (const auto doubt = doubt_about_label(report.box.diagonal()))
+    throw InvalidInput(*doubt);
+  shape.mesh = build_mesh(in_millimetres(std::move(surface), unit.length));
   shape.was_inward = report.inward;
   if (shape.was_inward) shape.mesh = reversed(shape.mesh);
   return shape;
 }
 
-InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional<RepairOptions>& repair,
+InputShape read_shape(const fs::path& file, const InputUnit& unit, const std::optional<RepairOptions>& repair,
                       const RunContext& ctx) {
   InputShape shape;
   shape.stem = mesh_stem(file);
@@ -295,7 +298,7 @@ InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional
   }
 }
 
-Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx,
+Cohort read_cohort(const std::vector<fs::path>& files, const InputUnit& unit, const RunContext& ctx,
                    const LabelRequest& labels, const std::optional<RepairOptions>& repair) {
   Cohort cohort;
   std::vector<fs::path> meshes;

@@ -27,6 +27,8 @@ struct InputShape {
   ExtractionReport extraction = {};         ///< set if the shape comes from a label map
   std::optional<RepairReport> repair = std::nullopt;  ///< the changes, if the surface had to be repaired
   std::vector<Message> notes = {};                    ///< on how the file was read
+  std::optional<Message> size_note =
+      std::nullopt;  ///< set if no vertebra has the size, but the unit is certain
   Mesh mesh;
 };
 
@@ -47,6 +49,9 @@ struct Cohort {
   std::vector<Message> notes;  ///< what the user should know though it is no error
 };
 
+/// What an error says about a file, without the file's name at the beginning, for a list that names its files.
+Message reason_without_name(const std::exception& error, const std::filesystem::path& file);
+
 /// The mesh files that these inputs name, in order of stem. A folder stands for the mesh files directly in
 /// it. Throws InvalidInput for a path that does not exist, a folder without meshes, or two files with the
 /// same stem.
@@ -63,25 +68,28 @@ std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesy
 /// two shapes have the same stem, or if a label that was requested by itself is in no label map.
 /// \param repair  if set, surfaces that the audit refuses are repaired. Surfaces of labels are always
 /// repaired.
-Cohort read_cohort(const std::vector<std::filesystem::path>& files, LengthUnit unit, const RunContext& ctx,
-                   const LabelRequest& labels = {},
+Cohort read_cohort(const std::vector<std::filesystem::path>& files, const InputUnit& unit,
+                   const RunContext& ctx, const LabelRequest& labels = {},
                    const std::optional<RepairOptions>& repair = std::nullopt);
 
 /// Returns the shape with this surface, audited, and repaired if repair is requested and necessary. The other
 /// members of the shape are already set. Throws InvalidInput with the reason if the surface cannot be used.
 /// Both surfaces of files and surfaces of labels are checked by this function.
-InputShape usable_shape(InputShape shape, TriangleSoup surface, LengthUnit unit,
+InputShape usable_shape(InputShape shape, TriangleSoup surface, const InputUnit& unit,
                         const std::optional<RepairOptions>& repair = std::nullopt,
                         const RunContext& ctx = RunContext());
 
+/// The note of check_size() on a surface in mm; throws as check_size() does.
+std::optional<Message> size_note(const Mesh& mesh, const InputUnit& unit);
+
 /// Repairs a raw surface and converts it to mm. Throws InvalidInput as repair_mesh() does, and if no vertebra
 /// has this size in this unit.
-RepairedMesh repair_surface(TriangleSoup raw, LengthUnit unit, const RepairOptions& options,
+RepairedMesh repair_surface(TriangleSoup raw, const InputUnit& unit, const RepairOptions& options,
                             const RunContext& ctx);
 
 /// Reads one surface that can be used for a model. Throws InvalidInput or IoError with the reason if it
 /// cannot be used.
-InputShape read_shape(const std::filesystem::path& file, LengthUnit unit,
+InputShape read_shape(const std::filesystem::path& file, const InputUnit& unit,
                       const std::optional<RepairOptions>& repair = std::nullopt,
                       const RunContext& ctx = RunContext());
 

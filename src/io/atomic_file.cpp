@@ -113,6 +113,14 @@ void write_all(int fd, std::string_view contents, const fs::path& path) {
 
 }  // namespace
 
+void make_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed || !fs::is_directory(folder))
+    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() + "); give another",
+                  {{RemedyKind::another_output}});
+}
+
 void write_file(const fs::path& path, std::string_view contents) {
   check_target(path);
   Temporary temporary(path);

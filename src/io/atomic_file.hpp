@@ -1,12 +1,16 @@
 #pragma once
 /// \file
-/// Writes files atomically: a reader finds the complete new file or the old state, never a part.
+/// Writes files atomically: a reader finds the complete new file or the old state, never a part. Makes the
+/// folders for them.
 
 #include <filesystem>
 #include <functional>
 #include <string_view>
 
 namespace foramen {
+
+/// Makes the folder to write to, with those above it, if it does not exist. Throws IoError if it cannot be made.
+void make_folder(const std::filesystem::path& folder);
 
 /// Writes a hidden temporary file in the folder of `path`, flushes it to disk and renames it to `path`. On
 /// any error the temporary file is removed, `path` stays as it was and IoError is thrown.

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "foramen/core/error.hpp"
+#include "foramen/io/label_map.hpp"
 #include "io/foreign_file.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/unpack.hpp"
@@ -50,9 +51,17 @@ std::string mesh_stem(const std::filesystem::path& path) {
 }
 
 MeshFile read_mesh(const std::filesystem::path& path) {
+  if (is_label_map(path))
+    throw InvalidInput(
+        path.string() +
+            ": is a label map, which holds voxels and no surface; make meshes of its labels first",
+        {{RemedyKind::extract_surfaces}});
+  std::error_code failed;
+  if (std::filesystem::is_directory(path, failed))
+    io_detail::Source{path.string(), {}}.refuse("is a folder", "name a mesh file in it");
   const Format* format = format_of(path);
   if (format == nullptr) {
-    if (std::filesystem::is_regular_file(path)) io_detail::refuse_foreign(path);
+    if (std::filesystem::is_regular_file(path, failed)) io_detail::refuse_foreign(path);
     const std::string extension = io_detail::lower_case(path.extension().string());
     std::string known;
     for (const std::string& e : mesh_extensions()) known += (known.empty() ? "" : " ") + e;

@@ -5,11 +5,13 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/read_cohort.hpp"
+#include "inputs/surface_size.hpp"
 
 namespace foramen {
 
-CorrespondingFolder read_corresponding(const std::filesystem::path& folder, LengthUnit unit) {
+CorrespondingFolder read_corresponding(const std::filesystem::path& folder, const InputUnit& unit) {
   CorrespondingFolder result;
+  SizeCheck sizes(unit);
   for (const auto& file : find_meshes({folder})) {
     MeshFile read = read_mesh(file);
     if (result.names.empty()) {
@@ -20,22 +22,26 @@ CorrespondingFolder read_corresponding(const std::filesystem::path& folder, Leng
                          result.names.front() +
                          "; corresponding meshes must have the same triangles in the same order");
     }
-    for (Vec3& p : read.soup.points) p *= millimetres_per(unit);
+    for (Vec3& p : read.soup.points) p *= millimetres_per(unit.length);
+    sizes.add(file.string(), read.soup.points);
     result.names.push_back(mesh_stem(file));
     result.shapes.push_back(std::move(read.soup.points));
     result.spaces.push_back(read.space.value_or(AnatomicalSpace::lps));
   }
+  result.size_note = sizes.note();
   return result;
 }
 
-TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names) {
-  CorrespondingFolder all = read_corresponding(folder);
+TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                              const InputUnit& unit) {
+  CorrespondingFolder all = read_corresponding(folder, unit);
   TrueCorrespondence truth;
   truth.triangles = std::move(all.triangles);
   for (const std::string& name : names) {
     const auto found = std::find(all.names.begin(), all.names.end(), name);
     if (found == all.names.end())
-      throw InvalidInput(folder.string() + ": there is no true correspondence for the shape " + name);
+      throw InvalidInput(folder.string() + ": there is no true correspondence for the shape " + name +
+                         "; its file must have this name");
     truth.shapes.push_back(all.shapes[found - all.names.begin()]);
   }
   return truth;

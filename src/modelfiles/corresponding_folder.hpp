@@ -3,9 +3,11 @@
 /// Folders of corresponding meshes: those of foramen, of another tool, or the truth of a synthetic set.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/evaluate/truth_error.hpp"
 #include "foramen/io/mesh_file.hpp"
@@ -13,17 +15,18 @@
 namespace foramen {
 
 /// Meshes with identical triangles. Reading throws InvalidInput, which names the first mesh with other
-/// triangles.
+/// triangles or whose size is no vertebra's.
 struct CorrespondingFolder {
   std::vector<std::string> names;  ///< stems, sorted
   std::vector<std::array<int, 3>> triangles;
-  std::vector<std::vector<Vec3>> shapes;  ///< mm
-  std::vector<AnatomicalSpace> spaces;    ///< one per shape; LPS if a file has no tag
+  std::vector<std::vector<Vec3>> shapes;            ///< mm
+  std::vector<AnatomicalSpace> spaces;              ///< one per shape; LPS if a file has no tag
+  std::optional<Message> size_note = std::nullopt;  ///< see SizeCheck
 };
-CorrespondingFolder read_corresponding(const std::filesystem::path& folder,
-                                       LengthUnit unit = LengthUnit::millimetre);
+CorrespondingFolder read_corresponding(const std::filesystem::path& folder, const InputUnit& unit = {});
 
 /// The true correspondence of the shapes of these names. Throws InvalidInput if the folder lacks one.
-TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names);
+TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                              const InputUnit& unit = {});
 
 }  // namespace foramen

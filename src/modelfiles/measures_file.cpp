@@ -1,13 +1,12 @@
 #include "modelfiles/measures_file.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
 #include "foramen/core/error.hpp"
+#include "io/file_bytes.hpp"
 
 namespace foramen {
 namespace {
@@ -21,8 +20,10 @@ using Json = nlohmann::ordered_json;
 Json parsed(const std::string& text) {
   try {
     return Json::parse(text);
-  } catch (const nlohmann::json::exception& e) {
-    throw InvalidInput(std::string("is no JSON (") + e.what() + "); correct it");
+  } catch (const nlohmann::json::parse_error& e) {
+    throw InvalidInput("is no JSON from byte " + std::to_string(e.byte) + " on; correct it");
+  } catch (const nlohmann::json::exception&) {
+    throw InvalidInput("holds a number that is too large; correct it");
   }
 }
 
@@ -82,10 +83,9 @@ MeasureDefinitions parse_measures(const std::string& text) {
 }
 
 MeasureDefinitions read_measures(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw IoError(path.string() + ": cannot be read; it must hold definitions of measures");
+  const std::string text = io_detail::read_bytes(path);
   try {
-    return parse_measures({std::istreambuf_iterator<char>(in), {}});
+    return parse_measures(text);
   } catch (const InvalidInput& e) {
     throw IoError(path.string() + ": " + e.what());
   }

@@ -8,6 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/statismo_file.hpp"
+#include "io/atomic_file.hpp"
 #include "io/table_file.hpp"
 #include "modelfiles/atlas_file.hpp"
 #include "modelfiles/statismo_model.hpp"
@@ -114,7 +115,7 @@ Eigen::MatrixXd training_scores(const AlignedModel& aligned) {
 }
 
 void write_modes(const fs::path& folder, const ShapeModel& model, double sd, AnatomicalSpace space) {
-  fs::create_directories(folder);
+  make_folder(folder);
   for (int m = 0; m < model.modes(); ++m)
     for (double sign : {-1.0, 1.0})
       write_ply(folder / mode_file(m, sign * sd),
@@ -125,7 +126,7 @@ void write_model_files(const fs::path& folder, const BuildRecord& record, const 
                        double millimetres) {
   const BuiltModel& built = record.built;
   const auto& triangles = built.landmarks.mesh.triangles;
-  fs::create_directories(folder / "corresponding");
+  make_folder(folder / "corresponding");
   for (std::size_t i = 0; i < record.inputs.size(); ++i) {
     const InputShape& input = record.inputs[i];
     TriangleSoup soup{built.landmarks.points[i], triangles};

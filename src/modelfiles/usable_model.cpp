@@ -22,7 +22,13 @@ ScaleMode scale_of(const Atlas& atlas) {
 }  // namespace
 
 UsableModel read_usable_model(const std::filesystem::path& folder) {
-  return usable_model(load_model(folder), folder);
+  LoadedModel loaded = load_model(folder);
+  if (!std::filesystem::exists(folder / "atlas.h5"))
+    throw IoError(folder.string() +
+                      ": has no maps of its shapes (atlas.h5), which only the folder of a build "
+                      "holds; give such a folder, or build the model",
+                  {{RemedyKind::build_model}});
+  return usable_model(std::move(loaded), folder);
 }
 
 UsableModel usable_model(LoadedModel loaded, const std::filesystem::path& folder) {

@@ -146,7 +146,7 @@ std::vector<RenderedFile> render_model(const fs::path& folder, const RenderOptio
 }
 
 nlohmann::ordered_json write_rendered(const std::vector<RenderedFile>& files, const fs::path& folder) {
-  fs::create_directories(folder);
+  make_folder(folder);
   auto captions = nlohmann::ordered_json::object();
   for (const RenderedFile& file : files) {
     write_file(folder / file.name, file.bytes);

@@ -1,6 +1,7 @@
 #include "workflow/complete_file.hpp"
 
 #include <cstdio>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -17,16 +18,17 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-struct Part {
-  Mesh mesh;  // mm
+struct PartFile {
+  PartOfVertebra part;
   AnatomicalSpace space = AnatomicalSpace::lps;
 };
 
-Part read_part(const fs::path& file, LengthUnit unit) {
+PartFile read_part(const CompleteRequest& request, const UsableModel& model) {
+  const fs::path& file = request.surface;
   MeshFile read = read_mesh(file);
-  for (Vec3& p : read.soup.points) p *= millimetres_per(unit);
   try {
-    return {usable_part(read.soup), read.space.value_or(AnatomicalSpace::lps)};
+    return {usable_part(std::move(read.soup), request.unit, model.aligned.model),
+            read.space.value_or(AnatomicalSpace::lps)};
   } catch (const TopologyError& e) {
     throw TopologyError(message_of(e).about(file.string()));
   } catch (const InvalidInput& e) {
@@ -48,12 +50,12 @@ void write_posterior(const fs::path& path, const ShapeDistribution& shape, const
 }
 
 void write_completed(const fs::path& path, const CompletedSurface& completed, const UsableModel& model,
-                     AnatomicalSpace space, LengthUnit unit) {
+                     AnatomicalSpace space, const InputUnit& unit) {
   const std::vector<VertexScalar> scalars{
       {"standard_deviation_mm", standard_deviations(completed.shape)},
       {"seen", std::vector<double>(completed.seen.begin(), completed.seen.end())}};
   TriangleSoup soup{unflattened(completed.shape.mean), model.landmarks.triangles};
-  for (Vec3& p : soup.points) p /= millimetres_per(unit);
+  for (Vec3& p : soup.points) p /= millimetres_per(unit.length);
   write_ply(path, soup, space, scalars);
 }
 
@@ -72,22 +74,23 @@ std::string completed_text(const ordered_json& json) {
 
 CompleteSummary complete_file(const CompleteRequest& request, const RunContext& ctx) {
   const UsableModel model = read_usable_model(request.model);
-  const Part part = read_part(request.surface, request.unit);
+  const PartFile read = read_part(request, model);
   CompleteSurfaceOptions options = request.options;
   options.scale = model.scale;
   ctx.step("complete", 0);
-  const CompletedSurface completed = complete_surface(part.mesh, model.aligned.model, ctx, options);
+  const CompletedSurface completed = complete_surface(read.part.mesh, model.aligned.model, ctx, options);
   ctx.step("complete", 1);
 
   const fs::path file = request.output / "completed.ply";
-  fs::create_directories(request.output);
-  write_completed(file, completed, model, part.space, request.unit);
+  make_folder(request.output);
+  write_completed(file, completed, model, read.space, request.unit);
   write_posterior(request.output / "posterior.h5", completed.shape, model);
   ordered_json json{{"surface", request.surface.filename().string()}};
   json.update(completion_json(completed));
-  CompleteSummary summary{file.string() + ": " + completed_text(json), json.dump(2),
-                          completion_note(completed)};
-  if (summary.note) *summary.note += ": look at " + file.string();
+  CompleteSummary summary{file.string() + ": " + completed_text(json), json.dump(2), {}};
+  if (const auto& note = read.part.size_note) summary.notes.push_back(note->about(request.surface.string()));
+  if (const auto note = completion_note(completed))
+    summary.notes.emplace_back(*note + ": look at " + file.string());
   write_file(request.output / "complete.json", summary.json + "\n");
   return summary;
 }

@@ -8,7 +8,7 @@
 #include "apply/part_surface.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/units.hpp"
+#include "inputs/surface_size.hpp"
 
 namespace foramen {
 namespace {
@@ -31,12 +31,12 @@ double mean_where(const std::vector<double>& values, const std::vector<bool>& se
 
 }  // namespace
 
-Mesh usable_part(const TriangleSoup& soup) {
-  Mesh part = part_surface(soup);
-  if (const double diagonal = bounding_box(part.positions()).diagonal(); diagonal > largest_diagonal_mm)
-    throw InvalidInput("its bounding box has a diagonal of " + std::to_string(diagonal) +
-                           " mm, which is no vertebra's: its coordinates are not in mm; give their unit",
-                       {{RemedyKind::give_unit}});
+PartOfVertebra usable_part(TriangleSoup soup, const InputUnit& unit, const ShapeModel& model) {
+  for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
+  PartOfVertebra part{part_surface(soup)};
+  const double whole = bounding_box(unflattened(model.mean())).diagonal();
+  const double diagonal = bounding_box(part.mesh.positions()).diagonal();
+  part.size_note = check_size_of_part(diagonal / millimetres_per(unit.length), unit, whole);
   return part;
 }
 

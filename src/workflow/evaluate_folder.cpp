@@ -1,12 +1,15 @@
 #include "workflow/evaluate_folder.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/read_cohort.hpp"
 #include "inputs/subject_of.hpp"
+#include "inputs/surface_size.hpp"
+#include "io/atomic_file.hpp"
 #include "modelfiles/corresponding_folder.hpp"
 #include "modelfiles/metrics_file.hpp"
 
@@ -15,25 +18,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<std::string>& names) {
+std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<std::string>& names,
+                                    const InputUnit& unit) {
   const auto files = find_meshes({folder});
   std::vector<Mesh> surfaces;
+  SizeCheck sizes(unit);
   for (const std::string& name : names) {
     const auto file =
         std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return mesh_stem(f) == name; });
     if (file == files.end())
-      throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name);
-    surfaces.push_back(build_mesh(read_mesh(*file).soup));
+      throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name +
+                         "; its file must have this name");
+    TriangleSoup soup = read_mesh(*file).soup;
+    for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
+    sizes.add(file->string(), soup.points);
+    surfaces.push_back(build_mesh(std::move(soup)));
   }
   return surfaces;
 }
 
 void write_true_landmarks(const fs::path& target, const CorrespondingCohort& cohort,
-                          const TrueCorrespondence& truth, const RunContext& ctx) {
-  const auto landmarks = true_landmarks(cohort, truth, ctx);
-  fs::create_directories(target);
-  for (std::size_t i = 0; i < landmarks.size(); ++i)
+                          const TrueCorrespondence& truth, const InputUnit& unit, const RunContext& ctx) {
+  auto landmarks = true_landmarks(cohort, truth, ctx);
+  make_folder(target);
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    for (Vec3& p : landmarks[i]) p /= millimetres_per(unit.length);
     write_ply(target / (cohort.names[i] + ".ply"), {landmarks[i], cohort.triangles});
+  }
 }
 
 std::string summary(const Evaluation& e) {
@@ -61,28 +72,29 @@ std::string summary(const Evaluation& e) {
 EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunContext& ctx) {
   const fs::path inner = request.corresponding / "corresponding";
   const CorrespondingFolder folder =
-      read_corresponding(fs::is_directory(inner) ? inner : request.corresponding);
+      read_corresponding(fs::is_directory(inner) ? inner : request.corresponding, request.unit);
   CorrespondingCohort cohort{folder.names, {}, folder.triangles, folder.shapes, {}};
   if (!request.subject_pattern.empty())
     for (const std::string& name : folder.names)
       cohort.subjects.push_back(subject_of(name, request.subject_pattern));
   if (!request.shapes.empty())
-    cohort.inputs = original_surfaces(request.shapes, folder.names);
+    cohort.inputs = original_surfaces(request.shapes, folder.names, request.unit);
   else
     for (const auto& points : folder.shapes) cohort.inputs.push_back(build_mesh({points, folder.triangles}));
   std::optional<TrueCorrespondence> truth;
-  if (!request.truth.empty()) truth = read_truth(request.truth, folder.names);
+  if (!request.truth.empty()) truth = read_truth(request.truth, folder.names, request.unit);
   if (!request.true_landmarks.empty()) {
     if (!truth)
       throw InvalidInput("true landmarks need the true correspondence: give it", {{RemedyKind::give_truth}});
-    write_true_landmarks(request.true_landmarks, cohort, *truth, ctx);
+    write_true_landmarks(request.true_landmarks, cohort, *truth, request.unit, ctx);
   }
 
   EvaluatedFolder result{evaluate(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}};
   if (!request.output.empty()) {
-    fs::create_directories(request.output);
+    make_folder(request.output);
     write_metrics(request.output, result.evaluation);
   }
+  if (folder.size_note) result.notes.push_back(*folder.size_note);
   result.text = summary(result.evaluation);
   result.json = metrics_json(result.evaluation);
   return result;

@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
+#include "foramen/core/units.hpp"
 #include "foramen/evaluate/evaluate.hpp"
 
 namespace foramen {
@@ -19,6 +22,7 @@ struct EvaluateFolderRequest {
   std::filesystem::path true_landmarks;  ///< folder to write true_landmarks() to, as corresponding meshes
                                          ///< that can be evaluated in turn; empty: not written. Needs truth.
   std::filesystem::path output;          ///< folder for the metrics; empty: not written
+  InputUnit unit = {};                   ///< of all these meshes and of what is written; measures are in mm
   std::string subject_pattern;
   EvaluationOptions options = {};
 };
@@ -26,9 +30,10 @@ struct EvaluateFolderRequest {
 struct EvaluatedFolder {
   Evaluation evaluation;
   std::string text, json;
+  std::vector<Message> notes = {};  ///< what the user should know though it is no error
 };
 
-/// Throws InvalidInput if meshes do not correspond or a shape is missing.
+/// Throws InvalidInput if meshes do not correspond, a shape is missing or no vertebra has the size of one.
 EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunContext& ctx);
 
 }  // namespace foramen

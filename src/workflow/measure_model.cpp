@@ -1,5 +1,7 @@
 #include "workflow/measure_model.hpp"
 
+#include <utility>
+
 #include "io/table_file.hpp"
 #include "modelfiles/measures_file.hpp"
 #include "modelfiles/model_folder.hpp"
@@ -35,11 +37,11 @@ MeasureSummary measure_model(const MeasureRequest& request, const RunContext& ct
   std::vector<std::filesystem::path> inputs = request.meshes;
   if (inputs.empty()) inputs = {request.model / "corresponding"};
   std::vector<Row> rows;
-  for (const MeasuredShape& shape : measure_files(measurer, inputs, request.unit, ctx))
-    rows.push_back(row_of(shape));
+  MeasuredFiles measured = measure_files(measurer, inputs, request.unit, ctx);
+  for (const MeasuredShape& shape : measured.shapes) rows.push_back(row_of(shape));
   const std::vector<std::string> header = header_of(definitions);
   write_csv(request.output, header, rows);
-  return {rows.size(), header};
+  return {rows.size(), header, std::move(measured.notes)};
 }
 
 }  // namespace foramen

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/core/units.hpp"
 
@@ -16,12 +17,13 @@ struct MeasureRequest {
   std::filesystem::path definitions;               ///< see read_measures()
   std::filesystem::path output;                    ///< the CSV file to write
   std::vector<std::filesystem::path> meshes = {};  ///< files and folders; empty: the model's own shapes
-  LengthUnit unit = LengthUnit::millimetre;        ///< of the meshes
+  InputUnit unit = {};                             ///< of the meshes
 };
 
 struct MeasureSummary {
   std::size_t shapes = 0;            ///< rows of the table
   std::vector<std::string> columns;  ///< the first is the shape's name
+  std::vector<Message> notes;        ///< what the user should know though it is no error
 };
 
 /// Writes a row a mesh, in order of stem. Throws what measurer_of() and measure_files() throw; IoError.

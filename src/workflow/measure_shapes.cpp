@@ -5,14 +5,13 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/read_cohort.hpp"
+#include "inputs/surface_size.hpp"
 
 namespace foramen {
 namespace {
 
 // The measures of a corresponding mesh in mm.
-ShapeMeasures measured(const Measurer& measurer, const std::filesystem::path& file, LengthUnit unit) {
-  TriangleSoup soup = read_mesh(file).soup;
-  for (Vec3& p : soup.points) p *= millimetres_per(unit);
+ShapeMeasures measured(const Measurer& measurer, TriangleSoup soup, const std::filesystem::path& file) {
   try {
     return measurer(build_mesh(std::move(soup)));
   } catch (const InvalidInput& e) {
@@ -32,15 +31,19 @@ Measurer measurer_of(const ShapeModel& model, const MeasureDefinitions& definiti
   }
 }
 
-std::vector<MeasuredShape> measure_files(const Measurer& measurer,
-                                         const std::vector<std::filesystem::path>& inputs, LengthUnit unit,
-                                         const RunContext& ctx) {
+MeasuredFiles measure_files(const Measurer& measurer, const std::vector<std::filesystem::path>& inputs,
+                            const InputUnit& unit, const RunContext& ctx) {
   const auto files = find_meshes(inputs);
-  std::vector<MeasuredShape> all;
+  MeasuredFiles all;
+  SizeCheck sizes(unit);
   for (const auto& file : files) {
-    ctx.step("measure", static_cast<double>(all.size()) / static_cast<double>(files.size()));
-    all.push_back({mesh_stem(file), measured(measurer, file, unit)});
+    ctx.step("measure", static_cast<double>(all.shapes.size()) / static_cast<double>(files.size()));
+    TriangleSoup soup = read_mesh(file).soup;
+    for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
+    sizes.add(file.string(), soup.points);
+    all.shapes.push_back({mesh_stem(file), measured(measurer, std::move(soup), file)});
   }
+  if (const auto note = sizes.note()) all.notes.push_back(*note);
   return all;
 }
 

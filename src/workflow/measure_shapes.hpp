@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "foramen/apply/measure_shape.hpp"
+#include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/model/shape_model.hpp"
@@ -23,11 +24,15 @@ struct MeasuredShape {
   ShapeMeasures measures;
 };
 
-/// The measures of corresponding mesh files, in order of stem. A folder stands for the mesh files directly in
-/// it. Throws InvalidInput, which names the file, if a file does not have the model's triangles. Throws
-/// IoError.
-std::vector<MeasuredShape> measure_files(const Measurer& measurer,
-                                         const std::vector<std::filesystem::path>& inputs, LengthUnit unit,
-                                         const RunContext& ctx);
+struct MeasuredFiles {
+  std::vector<MeasuredShape> shapes;  ///< in order of stem
+  std::vector<Message> notes;         ///< what the user should know though it is no error
+};
+
+/// The measures of corresponding mesh files. A folder stands for the mesh files directly in it. Throws
+/// InvalidInput, which names the file, if a file does not have the model's triangles or is no vertebra's size.
+/// Throws IoError.
+MeasuredFiles measure_files(const Measurer& measurer, const std::vector<std::filesystem::path>& inputs,
+                            const InputUnit& unit, const RunContext& ctx);
 
 }  // namespace foramen

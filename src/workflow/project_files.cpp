@@ -46,7 +46,7 @@ void write_projected(const Projected& p, const UsableModel& model, const Project
   const auto& triangles = model.landmarks.triangles;
   const auto in_unit = [&](std::span<const Vec3> points) {
     std::vector<Vec3> scaled(points.begin(), points.end());
-    for (Vec3& q : scaled) q /= millimetres_per(request.unit);
+    for (Vec3& q : scaled) q /= millimetres_per(request.unit.length);
     return scaled;
   };
   const VertexScalar of_fit{"distance_mm", p.projection.fit_residual},
@@ -107,7 +107,7 @@ std::vector<Projected> all_projected(const std::vector<fs::path>& files, const P
     } catch (const Error& e) {
       all[k].input.stem = mesh_stem(files[k]);
       all[k].input.file_name = files[k].filename().string();
-      all[k].failure = message_of(e);
+      all[k].failure = reason_without_name(e, files[k]);
     }
     ctx.step("project", static_cast<double>(++done) / static_cast<double>(files.size()));
   });
@@ -121,14 +121,14 @@ ProjectSummary project_files(const ProjectRequest& request, const RunContext& ct
   ctx.step("model", 0);
   const SurfaceProjector projector(read_usable_model(request.model), ctx);
   if (!request.leave_out.empty()) projector.without(request.leave_out);  // refused before the work begins
+  for (const char* folder : {"corresponding", "fit", "residual"}) make_folder(request.output / folder);
   const std::vector<Projected> all = all_projected(files, request, projector, ctx);
-  for (const char* folder : {"corresponding", "fit", "residual"})
-    fs::create_directories(request.output / folder);
   ProjectSummary summary;
   ordered_json records = ordered_json::array();
   for (const Projected& p : all) {
     records.push_back(projected_json(p));
     if (!p.failure) {
+      if (p.input.size_note) summary.notes.push_back(p.input.size_note->about(p.input.file_name));
       write_projected(p, projector.model(), request);
       summary.lines.push_back({{line_of(p.input.stem, p.projection)}});
     } else {

@@ -18,7 +18,7 @@ struct ProjectRequest {
   std::filesystem::path output;                 ///< folder to write
   /// Training shapes that are left out for a second distance; empty: the one of the surface's own name.
   std::vector<std::string> leave_out = {};
-  LengthUnit unit = LengthUnit::millimetre;  ///< of the surfaces and of what is written
+  InputUnit unit = {};  ///< of the surfaces and of what is written
 };
 
 struct ProjectSummary {
@@ -27,8 +27,9 @@ struct ProjectSummary {
     Message message;
     bool failed = false;
   };
-  std::vector<Line> lines;  ///< in order of stem
-  std::string json;         ///< what project.json holds
+  std::vector<Line> lines;     ///< in order of stem
+  std::vector<Message> notes;  ///< what the user should know though it is no error
+  std::string json;            ///< what project.json holds
 };
 
 /// Registers every surface to the mean and writes, into the output folder, corresponding/STEM.ply (its

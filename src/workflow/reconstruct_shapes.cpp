@@ -8,6 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "io/atomic_file.hpp"
 #include "io/table_file.hpp"
 #include "modelfiles/model_folder.hpp"
 
@@ -60,7 +61,7 @@ std::vector<NamedScores> read_scores(const std::string& file, int modes) {
 int reconstruct_shapes(const ReconstructRequest& request, const RunContext& ctx) {
   const LoadedModel loaded = load_model(request.model);
   const std::vector<NamedScores> all = read_scores(request.scores.string(), loaded.model.modes());
-  fs::create_directories(request.output);
+  make_folder(request.output);
   for (const NamedScores& one : all) {
     ctx.check();
     const Eigen::VectorXd shape =

@@ -29,16 +29,13 @@ namespace fs = std::filesystem;
 
 // Finds out before the work that the results can be written after it.
 void prepare_folder(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed || !fs::is_directory(folder))
-    throw IoError(folder.string() + ": cannot be made a folder (" + failed.message() + "); give another",
-                  {{RemedyKind::another_output}});
+  make_folder(folder);
   const fs::path probe = folder / ".foramen-write-test";
   if (!std::ofstream(probe))
     throw IoError(folder.string() + ": the folder cannot be written to; give another",
                   {{RemedyKind::another_output}});
-  fs::remove(probe, failed);
+  std::error_code ignored;
+  fs::remove(probe, ignored);
 }
 
 // What killed builds left half-written under names of their own.
@@ -157,13 +154,13 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   evaluation_options.weights = request.build.model.weights;
   evaluation_options.seed = request.build.landmarks.seed;
   std::optional<TrueCorrespondence> truth;
-  if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names);
+  if (!request.truth.empty()) truth = read_truth(request.truth, cohort.names, request.unit);
   Evaluation evaluation = evaluate(cohort, evaluation_options, keeping, truth ? &*truth : nullptr);
   if (request.refit) add_refits(evaluation, shapes, request.build, keeping);
 
   ctx.step("write", 0);
   remove_stale_files(request.output, record.inputs);
-  write_model_files(request.output, record, request.canonical_command, millimetres_per(request.unit));
+  write_model_files(request.output, record, request.canonical_command, millimetres_per(request.unit.length));
   write_metrics(request.output, evaluation);
   write_error_maps(request.output / "error_maps.h5", error_maps_of(evaluation));
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

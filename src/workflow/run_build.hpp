@@ -15,7 +15,7 @@ namespace foramen {
 struct BuildRequest {
   std::vector<std::filesystem::path> inputs;  ///< files and folders
   std::filesystem::path output;               ///< the model's folder
-  LengthUnit unit = LengthUnit::millimetre;   ///< unit of the meshes among the inputs
+  InputUnit unit = {};                        ///< unit of the meshes among the inputs, and of the truth
   std::optional<LabelRequest> labels =
       std::nullopt;  ///< labels of the label maps among the inputs; unset: all labels with a name
   std::optional<RepairOptions> repair = std::nullopt;  ///< if set, unusable surfaces are repaired

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/surface_size.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/extraction_record.hpp"
 #include "modelfiles/repair_record.hpp"
@@ -56,6 +58,8 @@ Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& r
   } else if (obstacle) {
     notes.push_back(obstacle->message().about(label.stem + ": not fit for a model"));
   }
+  if (const auto doubt = doubt_about_label(bounding_box(surface.points).diagonal()))
+    notes.push_back(doubt->about(label.stem));
   ordered_json record = {{"file", label.stem + ".ply"},
                          {"label", label.label},
                          {"name", label.name},
@@ -90,7 +94,8 @@ std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunConte
       throw;
     } catch (const Error& e) {
       if (files.size() == 1) throw;
-      summary.left_out.push_back({label_map_stem(files[i]), files[i].filename().string(), {}, message_of(e)});
+      summary.left_out.push_back(
+          {label_map_stem(files[i]), files[i].filename().string(), {}, reason_without_name(e, files[i])});
       continue;
     }
     for (const RefusedLabel& refused : all.back().labels.refused)
@@ -133,12 +138,7 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
     throw InvalidInput(message);
   }
 
-  std::error_code failed;
-  fs::create_directories(request.output, failed);
-  if (failed || !fs::is_directory(request.output))
-    throw IoError(
-        request.output.string() + ": cannot be made a folder (" + failed.message() + "); give another",
-        {{RemedyKind::another_output}});
+  make_folder(request.output);
   for (const Finished& surface : surfaces)
     write_ply(request.output / (surface.stem + ".ply"), surface.surface);
   ordered_json record = {{"version", version()},

@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "io/atomic_file.hpp"
 #include "modelfiles/model_folder.hpp"
 
 namespace foramen {
@@ -21,7 +22,7 @@ std::string sample_name(int index) {
 
 std::vector<Message> sample_model(const SampleRequest& request, const RunContext& ctx) {
   const LoadedModel loaded = load_model(request.model);
-  std::filesystem::create_directories(request.output);
+  make_folder(request.output);
   const Rng root(request.seed);
   std::atomic<int> done{0};
   parallel_for(request.count, ctx, [&](int i) {

@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::bytes_of;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Outcome;
 using testing::run;
 
@@ -153,6 +154,77 @@ TEST_F(UseModel, CompleteGivesTheWholeWithItsDeviation) {
   EXPECT_EQ(run("complete --noise 0 " + at("model") + " " + at("part.ply") + " -o x").code, 2);
 }
 
+TEST_F(UseModel, MetresAreRefusedUnlessTheUnitIsGiven) {
+  const auto in_metres = [&](const std::string& from, const std::string& to) {
+    TriangleSoup soup = read_mesh(at(from)).soup;
+    for (Vec3& p : soup.points) p /= 1000;
+    write_ply(at(to), soup);
+    return at(to);
+  };
+  std::ofstream(at("width.json")) << R"({"points": {"a": 0, "b": 9}, "distances": {"ab": ["a", "b"]}})";
+  const std::string surface = in_metres("synth/shapes/synth002.ply", "metres.ply");
+  const std::string mean = in_metres("model/mean.ply", "mean_metres.ply");
+  for (const std::string& command :
+       {"project " + at("model") + " " + surface + " -o " + at("of_metres"),
+        "complete " + at("model") + " " + surface + " -o " + at("of_metres"),
+        "measure " + at("model") + " " + at("width.json") + " " + mean + " -o " + at("of_metres.csv")}) {
+    const Outcome refused = run(command);
+    EXPECT_EQ(refused.code, 1) << command << refused.output;
+    EXPECT_THAT(refused.output, HasSubstr("probably in m, give this unit (--units m)"));
+    EXPECT_THAT(run(command + " --units m").output, Not(HasSubstr("--units")));
+  }
+  const BoundingBox whole = bounding_box(read_mesh(at("of_metres/completed.ply")).soup.points);
+  EXPECT_NEAR(whole.diagonal(), bounding_box(read_mesh(surface).soup.points).diagonal(), 0.005);
+  const Outcome insisted = run("measure --units mm " + at("model") + " " + at("width.json") + " " + mean +
+                               " -o " + at("of_metres.csv"));
+  EXPECT_EQ(insisted.code, 0) << insisted.output;
+  EXPECT_THAT(insisted.output, HasSubstr("warning: 1 of 1 shapes is not the size of a vertebra"));
+}
+
+// How often a text has these words.
+int count_of(const std::string& words, const std::string& text) {
+  int count = 0;
+  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+  return count;
+}
+
+TEST_F(UseModel, ALabelMapIsToBeExtracted) {
+  std::ofstream(at("spine.nii.gz")) << "voxels";
+  std::ofstream(at("none.json")) << R"({"points": {"a": 0}})";
+  const std::string map = at("spine.nii.gz");
+  for (const std::string& command :
+       {"project " + at("model") + " " + map + " -o " + at("of_map"),
+        "complete " + at("model") + " " + map + " -o " + at("of_map"),
+        "measure " + at("model") + " " + at("none.json") + " " + map + " -o " + at("of_map.csv")}) {
+    const Outcome refused = run(command);
+    EXPECT_EQ(refused.code, 1) << command << refused.output;
+    EXPECT_THAT(refused.output, HasSubstr("(run `foramen extract` first)"));
+    EXPECT_EQ(count_of("spine.nii.gz", refused.output), 1) << refused.output;
+  }
+}
+
+TEST_F(UseModel, ProjectEndsWithWhatFailedAndSaysEachStageOnce) {
+  std::ofstream(at("bad.ply")) << "";
+  const Outcome none = run("project " + at("model") + " " + at("bad.ply") + " -o " + at("ended"));
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.output, HasSubstr("foramen: the surface was not projected\n"));
+  ASSERT_EQ(
+      run("build --method icp --landmarks 300 --samples 2 --quiet " + at("synth/shapes") + " -o " + at("icp"))
+          .code,
+      0);
+  const Outcome some = run("project " + at("icp") + " " + at("bad.ply") + " " +
+                           at("synth/shapes/synth002.ply") + " -o " + at("ended"));
+  EXPECT_EQ(some.code, 1);
+  EXPECT_THAT(some.output, HasSubstr("foramen: 1 of 2 surfaces was not projected\n"));
+  for (const char* stage : {"model\n", "shortest loops\n", "project\n"})
+    EXPECT_EQ(count_of(stage, some.output), 1) << some.output;
+  EXPECT_EQ(some.output.find('%'), std::string::npos);
+  const Outcome file =
+      run("project " + at("model/model.h5") + " " + at("synth/shapes/synth002.ply") + " -o " + at("ended"));
+  EXPECT_EQ(file.code, 1);
+  EXPECT_THAT(file.output, HasSubstr("which only the folder of a build holds"));
+}
+
 TEST_F(UseModel, MeasureWritesARowAShape) {
   std::ofstream(at("measures.json")) << R"({"points": {"a": 0, "b": 9, "c": [0, 0, 0]},
     "distances": {"ab": ["a", "b"]}, "regions": {"all": {"centre": "c", "radius_mm": 500}}})";
@@ -173,6 +245,15 @@ TEST_F(UseModel, MeasureWritesARowAShape) {
   EXPECT_EQ(other.code, 1);
   EXPECT_THAT(other.output, HasSubstr("unseen.ply"));
   EXPECT_FALSE(fs::exists(at("other.csv")));
+  for (const char* definitions : {"{\"points\": ", "\x1f\x8b"}) {
+    std::ofstream(at("measures.json")) << definitions;
+    const Outcome broken = run(measure + " -o " + at("own.csv"));
+    EXPECT_EQ(broken.code, 1);
+    EXPECT_THAT(broken.output, HasSubstr("measures.json: is no JSON from byte "));
+    EXPECT_EQ(broken.output.find("exception"), std::string::npos);
+  }
+  EXPECT_THAT(run("measure " + at("model") + " " + at("model") + " -o " + at("own.csv")).output,
+              HasSubstr("is a folder"));
   std::ofstream(at("measures.json")) << R"({"distances": {"ab": ["a", "b"]}})";
   EXPECT_THAT(run(measure + " -o " + at("own.csv")).output, HasSubstr("measures.json"));
 }

@@ -57,5 +57,11 @@ TEST(Units, TheLikelyUnitMakesAVertebraOfIt) {
   EXPECT_EQ(likely_unit(0.251), std::nullopt);
 }
 
+TEST(InputUnit, IsCertainOnlyIfMillimetresAreGiven) {
+  EXPECT_EQ(input_unit(std::nullopt), InputUnit(LengthUnit::millimetre, false));
+  EXPECT_EQ(input_unit(LengthUnit::millimetre), InputUnit(LengthUnit::millimetre, true));
+  EXPECT_EQ(input_unit(LengthUnit::metre), InputUnit(LengthUnit::metre, false));
+}
+
 }  // namespace
 }  // namespace foramen

@@ -122,6 +122,27 @@ TEST(Specificity, IdenticalShapesAreMetExactly) {
   }
 }
 
+TEST(Specificity, AnotherUnitScalesTheNumbersAndCostsNoMore) {
+  const CorrespondingCohort in_mm = testing::torus_cohort({.shapes = 4});
+  const auto of = [](const CorrespondingCohort& shapes) {
+    return flat(specificity(align_cohort(shapes, ScaleMode::keep), 3, few, RunContext(2)));
+  };
+  const std::vector<double> expected = of(in_mm);
+  for (const double unit : {1e-3, 1e3}) {
+    CorrespondingCohort scaled = in_mm;
+    for (auto& points : scaled.corresponding)
+      for (Vec3& p : points) p *= unit;
+    for (Mesh& mesh : scaled.inputs) {
+      TriangleSoup soup = mesh.soup();
+      for (Vec3& p : soup.points) p *= unit;
+      mesh = build_mesh(std::move(soup));
+    }
+    const std::vector<double> found = of(scaled);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i] / unit, expected[i], 1e-9);
+  }
+}
+
 TEST(Ensemble, IsTheMeanOfTheSmallestDistancesEitherWay) {
   const Specificity s = specificity(cohort(5), 4, few, RunContext(1));
   const auto ensemble = ensemble_form(s);

@@ -155,10 +155,23 @@ TEST_F(Convert, RasIsTurnedToLps) {
 
 TEST_F(Convert, UnitsBecomeMillimetres) {
   const ConvertRequest metres{.input = {}, .output = {}, .unit = LengthUnit::metre};
-  converted(meshes(), file("m.tps"), metres);
-  EXPECT_EQ(read_tps(file("m.tps"))[1].points[3], 1000 * read_corresponding(meshes()).shapes[1][3]);
-  EXPECT_THAT(converted(meshes(), file("m2.tps"), metres).notes,
-              ::testing::Contains(offers({{RemedyKind::give_unit}})));
+  const ConvertRequest centimetres{.input = {}, .output = {}, .unit = LengthUnit::centimetre};
+  const ConvertRequest certain{.input = {}, .output = {}, .unit = {LengthUnit::millimetre, true}};
+  EXPECT_THAT(refusal(meshes(), file("m.tps"), metres), offers({{RemedyKind::leave_unit_out}}));
+  fs::create_directories(file("cm"));
+  for (int i = 0; i < 2; ++i) {
+    TriangleSoup soup = read_mesh(meshes() / ("L" + std::to_string(i) + ".ply")).soup;
+    for (Vec3& p : soup.points) p *= 0.1;
+    write_ply(file("cm") / ("L" + std::to_string(i) + ".ply"), soup);
+  }
+  EXPECT_THAT(refusal(file("cm"), file("c.tps")), offers({{RemedyKind::give_unit, "cm"}}));
+  EXPECT_THAT(converted(file("cm"), file("c.tps"), centimetres).notes, ::testing::IsEmpty());
+  EXPECT_LT((read_tps(file("c.tps"))[1].points[3] - read_corresponding(meshes()).shapes[1][3]).norm(),
+            tolerance);
+  EXPECT_THAT(converted(file("cm"), file("d.tps"), certain).notes,
+              ::testing::ElementsAre(says("2 of 2 shapes are not the size of a vertebra")));
+  EXPECT_THAT(refusal(file("d.tps"), file("e.csv")), offers({{RemedyKind::give_unit, "cm"}}))
+      << "points without triangles are checked too";
   converted(meshes(), file("a.h5"));
   EXPECT_THAT(refusal(file("a.h5"), file("b.tps"), metres),
               AllOf(says("a model is in mm"), offers({{RemedyKind::leave_unit_out}})));

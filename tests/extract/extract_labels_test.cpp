@@ -119,7 +119,7 @@ TEST_F(ExtractLabels, AbsentOnesOfARangeAreNotedAndSingleOnesRefused) {
 TEST_F(ExtractLabels, WithoutASelectionAllThatHaveAName) {
   const LabelSurfaces found = extract_labels(file({20, 99}), {}, ctx_);
   EXPECT_EQ(found.surfaces.size(), 1u);
-  EXPECT_THAT(found.notes, Contains(AllOf(says("label 99 has no name"),
+  EXPECT_THAT(found.notes, Contains(AllOf(says("label 99 has no name and was not taken"),
                                           offers({{RemedyKind::choose_labels}, {RemedyKind::name_labels}}))));
 }
 

@@ -50,7 +50,14 @@ TEST_F(FolderOfThree, IsReadInOrderOfStemWithEachFilesSpace) {
 }
 
 TEST_F(FolderOfThree, UnitsBecomeMillimetres) {
-  EXPECT_EQ(read_corresponding(path(), LengthUnit::centimetre).shapes.at(0).at(0), Vec3(280, 0, 0));
+  const testing::TemporaryFolder centimetres;
+  write_ply(centimetres.file("a.ply"), testing::torus_soup(8, 6, 2, 0.8));
+  const CorrespondingFolder read = read_corresponding(centimetres.path(), LengthUnit::centimetre);
+  EXPECT_LT((read.shapes.at(0).at(0) - Vec3(28, 0, 0)).norm(), 1e-5);
+  EXPECT_FALSE(read.size_note);
+  EXPECT_THAT(refusal_of([&] { read_corresponding(centimetres.path()); }),
+              HasSubstr("a.ply: the bounding box"));
+  EXPECT_TRUE(read_corresponding(centimetres.path(), {LengthUnit::millimetre, true}).size_note);
 }
 
 TEST_F(FolderOfThree, AMeshOfOtherTrianglesIsNamed) {

@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "foramen/core/error.hpp"
+#include "foramen/core/geometry.hpp"
 #include "support/meshes.hpp"
+#include "support/messages.hpp"
 
 namespace foramen {
 namespace {
@@ -62,15 +64,50 @@ TEST(CompletionNote, IsMadeOnlyOfAnotherPoseThatFitsNearlyAsWell) {
   EXPECT_FALSE(completion_note(completed));
 }
 
-TEST(UsablePart, TakesAnOpenPartAndRefusesWhatIsNoVertebrasSize) {
-  TriangleSoup part = testing::torus_soup(24, 12);
-  part.triangles.resize(100);
-  EXPECT_EQ(usable_part(part).face_count(), 100);
-  for (Vec3& p : part.points) p *= 0.1;
-  EXPECT_EQ(usable_part(part).face_count(), 100) << "a part may be small";
-  for (Vec3& p : part.points) p *= 1000;
-  EXPECT_THROW(usable_part(part), InvalidInput);
-  EXPECT_THROW(usable_part({}), InvalidInput);
+// Parts of a torus, and a model whose mean is the whole torus.
+class UsablePart : public ::testing::Test {
+ protected:
+  // The part is scaled so that its bounding box has this diagonal.
+  PartOfVertebra taken(double diagonal, const InputUnit& unit = {}) const {
+    TriangleSoup scaled = part_;
+    for (Vec3& p : scaled.points) p *= diagonal / diagonal_;
+    return usable_part(scaled, unit, model_);
+  }
+
+  const TriangleSoup torus_ = testing::torus_soup(24, 12);
+  const double whole_ = bounding_box(torus_.points).diagonal();
+  const ShapeModel model_{flattened(torus_.points), Eigen::MatrixXd(3 * torus_.points.size(), 0),
+                          Eigen::VectorXd(0), torus_.triangles};
+  const TriangleSoup part_{torus_.points, {torus_.triangles.begin(), torus_.triangles.begin() + 100}};
+  const double diagonal_ =
+      bounding_box(usable_part(part_, {LengthUnit::millimetre, true}, model_).mesh.positions()).diagonal();
+};
+
+TEST_F(UsablePart, IsOpenAndMayBeSmallerThanAVertebra) {
+  EXPECT_EQ(taken(diagonal_).mesh.face_count(), 100);
+  EXPECT_FALSE(taken(diagonal_).size_note);
+  EXPECT_FALSE(taken(16).size_note) << "in cm it would be larger than the whole";
+  EXPECT_THROW(usable_part({}, {}, model_), InvalidInput);
+}
+
+TEST_F(UsablePart, IsRefusedIfAnotherUnitWouldMakeItTheWhole) {
+  const auto refused = [&](double diagonal, const InputUnit& unit = {}) {
+    return testing::refusal([&] { taken(diagonal, unit); });
+  };
+  EXPECT_THAT(refused(whole_ / 10), testing::offers({{RemedyKind::give_unit, "cm"}}));
+  EXPECT_THAT(refused(0.6 * whole_ / 1000), testing::offers({{RemedyKind::give_unit, "m"}}));
+  EXPECT_THAT(refused(whole_ * 1000), testing::offers({{RemedyKind::give_unit, "um"}}));
+  EXPECT_THAT(refused(whole_, LengthUnit::metre), testing::offers({{RemedyKind::leave_unit_out}}));
+  EXPECT_THAT(refused(0.001), testing::offers({{RemedyKind::give_unit}}));
+  EXPECT_NEAR(bounding_box(taken(whole_ / 1000, LengthUnit::metre).mesh.positions()).diagonal(), whole_,
+              1e-9);
+}
+
+TEST_F(UsablePart, OfACertainUnitIsTakenWithANote) {
+  const PartOfVertebra part = taken(whole_ / 10, {LengthUnit::millimetre, true});
+  EXPECT_NEAR(bounding_box(part.mesh.positions()).diagonal(), whole_ / 10, 1e-9);
+  ASSERT_TRUE(part.size_note);
+  EXPECT_THAT(*part.size_note, testing::says("very little of a vertebra"));
 }
 
 }  // namespace

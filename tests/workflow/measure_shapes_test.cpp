@@ -9,12 +9,16 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "support/meshes.hpp"
+#include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace foramen {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 TriangleSoup sized_torus(double size) { return testing::torus_soup(24, 12, 20 * size, 8 * size); }
 
@@ -60,7 +64,8 @@ TEST(MeasureFiles, OfAFolderInOrderOfStemAndInMillimetres) {
   const testing::TemporaryFolder folder;
   for (const auto& [name, size] : {std::pair{"b.ply", 0.2}, {"a.ply", 0.1}, {"c.ply", 0.3}})
     write_ply(folder.file(name), sized_torus(size));
-  const auto shapes = measure_files(torus_measurer(), {folder.path()}, LengthUnit::centimetre, RunContext(1));
+  const auto shapes =
+      measure_files(torus_measurer(), {folder.path()}, LengthUnit::centimetre, RunContext(1)).shapes;
   ASSERT_EQ(shapes.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(shapes[i].name, std::string(1, "abc"[i]));
@@ -76,6 +81,20 @@ TEST(MeasureFiles, NamesTheFileThatHasNotTheModelsTriangles) {
     measure_files(torus_measurer(), {folder.path()}, LengthUnit::millimetre, RunContext(1));
   };
   EXPECT_THAT(measuring_refusal(measure), HasSubstr("other.ply: "));
+}
+
+TEST(MeasureFiles, RefusesASizeThatNoVertebraHasUnlessTheUnitIsCertain) {
+  const testing::TemporaryFolder folder;
+  for (const char* name : {"a.ply", "b.ply"}) write_ply(folder.file(name), sized_torus(0.001));
+  const auto measured = [&](const InputUnit& unit) {
+    return measure_files(torus_measurer(), {folder.path()}, unit, RunContext(1));
+  };
+  EXPECT_THAT(testing::refusal([&] { measured({}); }),
+              AllOf(testing::says("a.ply: "), testing::offers({{RemedyKind::give_unit, "m"}})));
+  EXPECT_THAT(measured(LengthUnit::metre).notes, IsEmpty());
+  const MeasuredFiles certain = measured({LengthUnit::millimetre, true});
+  EXPECT_NEAR(certain.shapes.at(0).measures.distances.at(0), 0.056, 1e-6);
+  EXPECT_THAT(certain.notes, ElementsAre(testing::says("2 of 2 shapes are not the size of a vertebra")));
 }
 
 TEST(MeasureFiles, SaysHowFarItIsAndStopsWhenAsked) {

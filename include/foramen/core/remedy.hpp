@@ -9,18 +9,19 @@
 namespace foramen {
 
 enum class RemedyKind {
-  give_unit,        ///< Say in which unit the input is; the value is that unit, or empty if it is not known.
-  leave_unit_out,   ///< Name no unit: the input is in mm.
-  repair,           ///< Have the surface repaired.
-  handle_limit,     ///< Raise the length up to which a handle is noise.
-  choose_labels,    ///< Name other labels of the label map.
-  name_labels,      ///< Say which vertebra a label is.
-  rename_labels,    ///< Correct the user's own names of labels.
-  keep_cut,         ///< Take labels that reach the border of the label map.
-  more_landmarks,   ///< Allow more landmarks.
-  subject_pattern,  ///< Correct the regular expression that finds the subject in a name.
-  give_truth,       ///< Give the true correspondence.
-  give_triangles,   ///< Give a mesh whose vertices the points are.
+  give_unit,         ///< Say in which unit the input is; the value is that unit, or empty if it is not known.
+  leave_unit_out,    ///< Name no unit: the input is in mm.
+  extract_surfaces,  ///< Make meshes of the label map first.
+  repair,            ///< Have the surface repaired.
+  handle_limit,      ///< Raise the length up to which a handle is noise.
+  choose_labels,     ///< Name other labels of the label map.
+  name_labels,       ///< Say which vertebra a label is.
+  rename_labels,     ///< Correct the user's own names of labels.
+  keep_cut,          ///< Take labels that reach the border of the label map.
+  more_landmarks,    ///< Allow more landmarks.
+  subject_pattern,   ///< Correct the regular expression that finds the subject in a name.
+  give_truth,        ///< Give the true correspondence.
+  give_triangles,    ///< Give a mesh whose vertices the points are.
   leave_triangles_out,  ///< Give no such mesh: the input has triangles.
   choose_format,        ///< Name the format to write; the value is that format.
   another_output,       ///< Give another place to write to.

@@ -10,6 +10,20 @@ namespace foramen {
 
 enum class LengthUnit { millimetre, centimetre, metre, micrometre };
 
+/// The unit in which the lengths of input files are, as a user gives it.
+struct InputUnit {
+  /// Surfaces are refused if no vertebra has their size in this unit.
+  InputUnit(LengthUnit unit = LengthUnit::millimetre) : length(unit) {}
+  InputUnit(LengthUnit unit, bool is_certain) : length(unit), certain(is_certain) {}
+
+  LengthUnit length;
+  bool certain = false;  ///< a surface that is the size of no vertebra is used all the same, with a note
+  friend bool operator==(const InputUnit&, const InputUnit&) = default;
+};
+/// The unit for what a user gave. Unset means mm. If mm is given, it is certain, because nobody would name the
+/// default without a reason; any other unit is still checked by the sizes of the surfaces.
+InputUnit input_unit(std::optional<LengthUnit> given);
+
 /// The length of one unit in mm.
 double millimetres_per(LengthUnit unit);
 /// "mm", "cm", "m", "um".

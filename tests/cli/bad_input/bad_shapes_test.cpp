@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using testing::bad_shapes;
 using testing::BadShape;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::Outcome;
 using testing::run_shell;
 using testing::TemporaryFolder;
@@ -29,7 +30,8 @@ TEST_P(BadShapeAlone, IsRefusedWithTheReasonAndNothingIsWritten) {
       run_shell(testing::in_three_gigabytes + FORAMEN_PROGRAM " build --threads 1 --quiet " + file.string() +
                 " -o " + folder.file("m").string());
   EXPECT_EQ(refused.code, 1) << refused.output;
-  EXPECT_THAT(refused.output, HasSubstr("left out " + bad.file_name + ": " + file.string() + ": "));
+  EXPECT_THAT(refused.output, HasSubstr("left out " + bad.file_name + ": "));
+  EXPECT_THAT(refused.output, Not(HasSubstr(file.string() + ": "))) << "the file is named once";
   EXPECT_THAT(refused.output, HasSubstr(bad.message));
   EXPECT_EQ(testing::files_of(folder.file("m")).size(), 0u);
 }
