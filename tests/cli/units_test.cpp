@@ -25,7 +25,7 @@ class Units : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = new testing::TemporaryFolder;
-    ASSERT_EQ(run("synth -n 4 --seed 5 --vertices 800 --quiet -o " + at("")).code, 0);
+    ASSERT_EQ(run("synth -n 4 --seed 5 --vertices 1500 --quiet -o " + at("")).code, 0);
     for (const char* name : {"shapes", "truth"}) {
       fs::create_directories(at("m/") + name);
       for (const auto& entry : fs::directory_iterator(at(name))) {
