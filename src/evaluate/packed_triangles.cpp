@@ -23,7 +23,8 @@ constexpr int no_child = std::numeric_limits<int>::max();
 // Error bound of a query in single precision, in rounding units of the largest coordinate. A query has about
 // 40 operations, but their errors do not all have one sign.
 constexpr float rounding_units = 32;
-// The largest coordinate of a query from the centre of the mesh, relative to its diagonal: queries are near it.
+// The largest coordinate of a query from the centre of the mesh, relative to its diagonal: queries are near
+// it.
 constexpr double largest_coordinate = 0.52;
 // Ratio of height to longest side below which distances to a triangle in single precision are useless.
 constexpr double sliver_height = 0.02;

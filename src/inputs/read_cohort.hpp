@@ -49,7 +49,8 @@ struct Cohort {
   std::vector<Message> notes;  ///< what the user should know though it is no error
 };
 
-/// What an error says about a file, without the file's name at the beginning, for a list that names its files.
+/// What an error says about a file, without the file's name at the beginning, for a list that names its
+/// files.
 Message reason_without_name(const std::exception& error, const std::filesystem::path& file);
 
 /// The mesh files that these inputs name, in order of stem. A folder stands for the mesh files directly in

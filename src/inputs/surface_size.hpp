@@ -18,8 +18,9 @@ namespace foramen {
 /// \param diagonal  of the bounding box, in the unit
 std::optional<Message> check_size(double diagonal, const InputUnit& unit);
 
-/// As check_size(), for a part of a vertebra, which may be smaller. A part of less than 20 mm is refused if in
-/// another unit it would have half to one and a half times the size of the whole, or if it has less than 5 mm.
+/// As check_size(), for a part of a vertebra, which may be smaller. A part of less than 20 mm is refused if
+/// in another unit it would have half to one and a half times the size of the whole, or if it has less than 5
+/// mm.
 /// \param whole_mm  diagonal of the whole vertebra of which it is a part, such as the mean of a model
 std::optional<Message> check_size_of_part(double diagonal, const InputUnit& unit, double whole_mm);
 

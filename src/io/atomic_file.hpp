@@ -9,7 +9,8 @@
 
 namespace foramen {
 
-/// Makes the folder to write to, with those above it, if it does not exist. Throws IoError if it cannot be made.
+/// Makes the folder to write to, with those above it, if it does not exist. Throws IoError if it cannot be
+/// made.
 void make_folder(const std::filesystem::path& folder);
 
 /// Writes a hidden temporary file in the folder of `path`, flushes it to disk and renames it to `path`. On

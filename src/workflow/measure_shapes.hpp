@@ -30,8 +30,8 @@ struct MeasuredFiles {
 };
 
 /// The measures of corresponding mesh files. A folder stands for the mesh files directly in it. Throws
-/// InvalidInput, which names the file, if a file does not have the model's triangles or is no vertebra's size.
-/// Throws IoError.
+/// InvalidInput, which names the file, if a file does not have the model's triangles or is no vertebra's
+/// size. Throws IoError.
 MeasuredFiles measure_files(const Measurer& measurer, const std::vector<std::filesystem::path>& inputs,
                             const InputUnit& unit, const RunContext& ctx);
 

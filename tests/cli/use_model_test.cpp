@@ -171,7 +171,9 @@ TEST_F(UseModel, MetresAreRefusedUnlessTheUnitIsGiven) {
     const Outcome refused = run(command);
     EXPECT_EQ(refused.code, 1) << command << refused.output;
     EXPECT_THAT(refused.output, HasSubstr("probably in m, give this unit (--units m)"));
-    EXPECT_THAT(run(command + " --units m").output, Not(HasSubstr("--units")));
+    const Outcome taken = run(command + " --units m");
+    EXPECT_EQ(taken.code, 0) << taken.output;
+    EXPECT_THAT(taken.output, Not(HasSubstr("--units")));
   }
   const BoundingBox whole = bounding_box(read_mesh(at("of_metres/completed.ply")).soup.points);
   EXPECT_NEAR(whole.diagonal(), bounding_box(read_mesh(surface).soup.points).diagonal(), 0.005);

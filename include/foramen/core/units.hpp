@@ -20,8 +20,8 @@ struct InputUnit {
   bool certain = false;  ///< a surface that is the size of no vertebra is used all the same, with a note
   friend bool operator==(const InputUnit&, const InputUnit&) = default;
 };
-/// The unit for what a user gave. Unset means mm. If mm is given, it is certain, because nobody would name the
-/// default without a reason; any other unit is still checked by the sizes of the surfaces.
+/// The unit for what a user gave. Unset means mm. If mm is given, it is certain, because nobody would name
+/// the default without a reason; any other unit is still checked by the sizes of the surfaces.
 InputUnit input_unit(std::optional<LengthUnit> given);
 
 /// The length of one unit in mm.
