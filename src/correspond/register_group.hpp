@@ -22,21 +22,20 @@ namespace foramen {
 
 /// The registration of one shape of a group.
 struct GroupMember {
-  std::optional<RegisteredShape> registered; ///< unset: left out
-  Message failure;    ///< why; no text if it is registered
-  double seconds = 0; ///< of this shape alone
+  std::optional<RegisteredShape> registered;  ///< unset: left out
+  Message failure;                            ///< why; no text if it is registered
+  double seconds = 0;                         ///< of this shape alone
 };
 
 /// The registration of all shapes of a group.
 struct GroupRegistration {
-  std::vector<GroupMember> members; ///< one per shape
+  std::vector<GroupMember> members;  ///< one per shape
   GroupTemplate last_template;
-  std::vector<double>
-      template_motion_mm; ///< RMS motion of the mean between successive rounds
-  std::vector<double> unexplained_shares;  ///< with Bending::cohort, one per
-                                           ///< round, see CohortPriors
-  std::vector<double> description_lengths; ///< before each of the description
-                                           ///< rounds, and after the last
+  std::vector<double> template_motion_mm;   ///< RMS motion of the mean between successive rounds
+  std::vector<double> unexplained_shares;   ///< with Bending::cohort, one per
+                                            ///< round, see CohortPriors
+  std::vector<double> description_lengths;  ///< before each of the description
+                                            ///< rounds, and after the last
 };
 
 /// Registers all shapes with each other, in three parts.
@@ -60,10 +59,9 @@ struct GroupRegistration {
 ///    compared with that of the reference's map (map_agreement()).
 ///
 /// A shape that fails a check is left out with the reason, and the rest go on.
-GroupRegistration register_group(const std::vector<Mesh> &shapes,
-                                 const Reference &reference,
-                                 int reference_index, const RunContext &ctx,
-                                 const RegisterGroupOptions &options = {});
+GroupRegistration register_group(const std::vector<Mesh>& shapes, const Reference& reference,
+                                 int reference_index, const RunContext& ctx,
+                                 const RegisterGroupOptions& options = {});
 
 /// Registers one more shape to a group, which does not change. The steps are
 /// those of a member, but every round uses the group's last template. There are
@@ -71,9 +69,7 @@ GroupRegistration register_group(const std::vector<Mesh> &shapes,
 /// reference of the group, with its first or its final map \param options  the
 /// options of the group Throws TopologyError or ConvergenceError with the
 /// reason if any check fails; InvalidInput for description_rounds > 0.
-RegisteredShape register_to_group(const Mesh &shape, const Reference &reference,
-                                  const GroupTemplate &group,
-                                  const RunContext &ctx,
-                                  const RegisterGroupOptions &options = {});
+RegisteredShape register_to_group(const Mesh& shape, const Reference& reference, const GroupTemplate& group,
+                                  const RunContext& ctx, const RegisterGroupOptions& options = {});
 
-} // namespace foramen
+}  // namespace foramen
