@@ -18,9 +18,8 @@
 namespace foramen {
 namespace {
 
-// A coarser mean is subdivided: the loops of a mesh with so few vertices are
-// coarse paths round thin parts, and its nearest vertices tell little about
-// where a point belongs.
+// A coarser mean is subdivided: the loops of a mesh with so few vertices are coarse paths round thin parts,
+// and its nearest vertices tell little about where a point belongs.
 constexpr int fewest_vertices = 1000;
 
 struct FineMean {
@@ -77,8 +76,8 @@ std::vector<Vec3> MeanRegistrar::landmarks_on(const Mesh& surface, const RunCont
   member.input = &surface;
   member.working = steps.simplified(surface);
   steps.begin(member, align(surface, impl_->reference.mesh(), single), impl_->mean, impl_->prior);
-  // A round that starts from the landmarks that the map gives; the surface is
-  // aligned by them, as the training shapes are.
+  // A round that starts from the landmarks that the map gives; the surface is aligned by them, as the
+  // training shapes are.
   steps.newcomer_round(member, template_turns, impl_->reference.mesh().positions(), impl_->mean,
                        impl_->prior);
   steps.finish(member, impl_->mean);

@@ -35,8 +35,7 @@ PreparedTemplate reference_template(const Reference& reference, const RegisterGr
           options};
 }
 
-// The options that affect the first registration of a member; the others are
-// set to their defaults.
+// The options that affect the first registration of a member; the others are set to their defaults.
 RegisterGroupOptions options_of_first(RegisterGroupOptions options) {
   const RegisterGroupOptions defaults;
   if (options.bending == Bending::cohort) options.bending = Bending::smooth;  // nothing has been learnt yet
@@ -75,8 +74,7 @@ void transfer(Archive& archive, MaybeConst<GroupDescription> auto& description) 
   archive(description.length, description.transforms, description.attractors);
 }
 
-// The mean of fewer shapes is hardly closer to a further shape than the
-// reference is.
+// The mean of fewer shapes is hardly closer to a further shape than the reference is.
 constexpr std::size_t fewest_for_a_mean = 3;
 
 class GroupRegistrar {
@@ -111,15 +109,14 @@ class GroupRegistrar {
     StageKey to_last(ctx_, "group's template", to_reference, options_of_later(options_));
     std::unique_ptr<PreparedTemplate> mean;
     GroupTemplate& group = result_.last_template;
-    // In the first round the prior comes from maps that were computed without
-    // it, so a second round is always made.
+    // In the first round the prior comes from maps that were computed without it, so a second round is always
+    // made.
     const int least_rounds = options_.bending == Bending::cohort ? 2 : 1;
     for (int round = 0; round < options_.round_limit; ++round) {
       auto [to_mean, next] = next_mean();
       if (round > 0) result_.template_motion_mm.push_back(distance_of_means(group.grid, next.grid));
-      // If the mean has converged, the rounds end before it replaces the
-      // template, because the bent shapes are still in the coordinates of the
-      // old template.
+      // If the mean has converged, the rounds end before it replaces the template, because the bent shapes
+      // are still in the coordinates of the old template.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
@@ -151,8 +148,7 @@ class GroupRegistrar {
   }
 
  private:
-  // Each shape is processed on one thread, because nested parallel loops would
-  // not be faster.
+  // Each shape is processed on one thread, because nested parallel loops would not be faster.
   void for_each_member(const std::string& stage, const std::function<void(int)>& body) {
     std::atomic<int> done{0};
     parallel_for(static_cast<int>(members_.size()), ctx_, [&](int i) {
@@ -163,8 +159,7 @@ class GroupRegistrar {
         body(i);
       } catch (const Cancelled&) {
         throw;
-      } catch (const std::exception& e) {  // a defect of foramen must not affect
-                                           // the other shapes either
+      } catch (const std::exception& e) {  // a defect of foramen must not affect the other shapes either
         member.failure = message_of(e);
       }
       member.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -174,8 +169,8 @@ class GroupRegistrar {
     });
   }
 
-  // The same for a step that changes the members. The state of each member
-  // after the step is read from the store if it is there, and stored otherwise.
+  // The same for a step that changes the members. The state of each member after the step is read from the
+  // store if it is there, and stored otherwise.
   // \param to  key of the inputs of the step other than the member
   void advance_each_member(const std::string& stage, const StageKey& to,
                            const std::function<void(int)>& step) {
@@ -193,9 +188,8 @@ class GroupRegistrar {
     });
   }
 
-  // Registers the shapes that could not be registered to the reference to the
-  // mean of the others, which is closer to most shapes than the reference is. A
-  // shape that fails again keeps its first reason.
+  // Registers the shapes that could not be registered to the reference to the mean of the others, which is
+  // closer to most shapes than the reference is. A shape that fails again keeps its first reason.
   void register_failed_to_mean() {
     std::vector<Message> reasons(members_.size());
     for (std::size_t i = 0; i < members_.size(); ++i) reasons[i] = result_.members[i].failure;
@@ -244,9 +238,8 @@ class GroupRegistrar {
 
   struct MemberFailed {};
 
-  // A result that depends on all members: read from the store, or computed and
-  // stored. If a member fails meanwhile, the result is computed again from the
-  // others, under the key of these inputs.
+  // A result that depends on all members: read from the store, or computed and stored. If a member fails
+  // meanwhile, the result is computed again from the others, under the key of these inputs.
   template <class Result>
   std::pair<StageKey, Result> together(const std::function<StageKey()>& key_of_present,
                                        const std::function<Result()>& work) {
@@ -293,24 +286,21 @@ class GroupRegistrar {
     for (std::size_t k = 0; k < members.size(); ++k) members[k]->to_template = rigid(transforms[k]);
   }
 
-  // Computes the priors of all members that have not failed from each other. If
-  // the priors are read from the store, the members need not be placed for
-  // them; each member is placed in its next step.
+  // Computes the priors of all members that have not failed from each other. If the priors are read from the
+  // store, the members need not be placed for them; each member is placed in its next step.
   CohortPriors priors_from(const StageKey& to_mean, const PreparedTemplate& to) {
     const auto key = [&] {
       return StageKey(ctx_, "group's priors", to_mean, all_made_from(), options_.displacements,
                       options_.cohort);
     };
-    return together<CohortPriors>(key,
-                                  [&] {
-                                    for_each_member("place", [&](int i) { steps_.place(members_[i], to); });
-                                    are_placed_ = true;
-                                    std::vector<std::vector<Vec3>> placed;
-                                    for (const Member* member : present()) placed.push_back(member->bent);
-                                    return cohort_priors(to.surface.mesh, to.displacements, placed,
-                                                         options_.cohort);
-                                  })
-        .second;
+    auto made = together<CohortPriors>(key, [&] {
+      for_each_member("place", [&](int i) { steps_.place(members_[i], to); });
+      are_placed_ = true;
+      std::vector<std::vector<Vec3>> placed;
+      for (const Member* member : present()) placed.push_back(member->bent);
+      return cohort_priors(to.surface.mesh, to.displacements, placed, options_.cohort);
+    });
+    return std::move(made.second);
   }
 
   void learn_priors(const StageKey& to_mean, const PreparedTemplate& to) {
@@ -320,8 +310,7 @@ class GroupRegistrar {
     result_.unexplained_shares.push_back(priors_.unexplained_share);
   }
 
-  // Computes the attractors that decrease the description length of the cohort
-  // for the present maps.
+  // Computes the attractors that decrease the description length of the cohort for the present maps.
   StageKey describe(const StageKey& to_template, const PreparedTemplate& to) {
     const auto key = [&] { return StageKey(ctx_, "group's description", to_template, all_made_from()); };
     auto [described, description] =
@@ -359,8 +348,7 @@ class GroupRegistrar {
   const RegisterGroupOptions& options_;
   MemberSteps steps_;
   std::vector<Member> members_;
-  CohortPriors priors_;      // the priors of the present round; without
-                             // Bending::cohort the smooth process
+  CohortPriors priors_;      // the priors of the present round; without Bending::cohort the smooth process
   bool are_placed_ = false;  // whether the members have the vertices of the present mean
   GroupRegistration result_;
 };
@@ -378,8 +366,7 @@ RegisteredShape register_to_group(const Mesh& shape, const Reference& reference,
                                   const RunContext& ctx, const RegisterGroupOptions& options) {
   if (options.description_rounds > 0)
     throw InvalidInput(
-        "a shape cannot be registered to a group that was made "
-        "with description_rounds > 0: their targets "
+        "a shape cannot be registered to a group that was made with description_rounds > 0: their targets "
         "are those of the group's own shapes");
   require_genus_one(shape);
   const RunContext single = ctx.with_threads(1);

@@ -9,8 +9,7 @@
 namespace foramen {
 namespace {
 
-// A template whose map is expressed in another basis than that of its shortest
-// loops.
+// A template whose map is expressed in another basis than that of its shortest loops.
 TemplateSurface skewed_template() {
   const testing::MappedSurface member = testing::member_surface(1, 1500);
   Eigen::Matrix2i skew;

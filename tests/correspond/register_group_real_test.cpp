@@ -7,8 +7,8 @@
 namespace foramen {
 namespace {
 
-// The loops of this L2 cannot be carried to the last L5, whose processes differ
-// most, but those of the mean can.
+// The loops of this L2 cannot be carried to the last L5, whose processes differ most, but those of the mean
+// can.
 TEST(RegisterGroupRealData, AShapeFarFromTheReferenceIsRegisteredToTheMean) {
   FORAMEN_NEEDS_REAL_DATA();
   std::vector<Mesh> shapes;
