@@ -16,7 +16,8 @@ struct OwnLoops {
 OwnLoops with_own_loops(const TemplateSurface& surface, const RunContext& ctx);
 
 /// Expresses a map that was made in the basis of the template's own loops in the basis of the map with which
-/// the template was given. \param given  a map in that basis, whose lattice the result takes
+/// the template was given.
+/// \param given  a map in that basis, whose lattice the result takes
 TorusMap in_basis_of(TorusMap map, const OwnLoops& own, const TorusMap& given);
 
 }  // namespace foramen

@@ -42,8 +42,8 @@ struct GroupRegistration {
 ///    onto it (deform_template()). The reference's loops are transferred to the shape and give it a first map
 ///    (first_map()); for this, the bending is undone on the shape (its vertices are moved back). Then the map
 ///    is optimised: every vertex is attracted to its corresponding point on the reference (SurfaceTargets),
-///    the distortion of the map shape -> reference is penalised, and no triangle is flipped. A shape for which
-///    this fails is registered in the same way to the mean of the others.
+///    the distortion of the map shape -> reference is penalised, and no triangle is flipped. A shape for
+///    which this fails is registered in the same way to the mean of the others.
 /// 2. Rounds follow in which the Procrustes mean of all shapes is the template, so that the reference is a
 ///    shape like the others. In each round the template is bent and the map optimised again.
 /// 3. Each map is extended to the input mesh of its shape, optimised there and certified. Its homology is
