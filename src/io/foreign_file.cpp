@@ -25,7 +25,10 @@ constexpr std::array kinds{
     Kind{0, "PK\3\4"sv, "a zip archive (also .xlsx, .3mf, .kmz)", remedy_unpack},
     Kind{0, "7z\xbc\xaf\x27\x1c"sv, "a 7z archive", remedy_unpack},
     Kind{0, "Rar!\x1a\7"sv, "a rar archive", remedy_unpack},
-    Kind{0, "\xfd7zXZ"sv, "a file packed by xz", remedy_unpack},
+    Kind{0,
+         "\xfd"
+         "7zXZ"sv,
+         "a file packed by xz", remedy_unpack},
     Kind{0, "BZh"sv, "a file packed by bzip2", remedy_unpack},
     Kind{0, "\x28\xb5\x2f\xfd"sv, "a file packed by zstd", remedy_unpack},
     Kind{257, "ustar"sv, "a tar archive", remedy_unpack},
