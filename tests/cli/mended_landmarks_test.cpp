@@ -52,7 +52,7 @@ TEST(MendedLandmarks, AThinWallIsPartedAndSaidToHaveMet) {
 }
 
 TEST(MendedLandmarks, WhatCouldNotBePartedIsWarnedOf) {
-  const Mended mended = build_of_walls(0.01, 0.6);
+  const Mended mended = build_of_walls(0.005, 0.6);
   EXPECT_GT(mended.not_mended, 0);
   EXPECT_LT(mended.not_mended, mended.before);
   EXPECT_THAT(mended.output, HasSubstr(pairs_line(mended.not_mended, mended.before)));
