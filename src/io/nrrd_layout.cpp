@@ -3,6 +3,7 @@
 #include <array>
 
 #include "io/header_fields.hpp"
+#include "io/segment_names.hpp"
 #include "io/voxel_layout.hpp"
 
 namespace foramen::io_detail {
@@ -35,15 +36,22 @@ NumberType type_of(const Source& source, const std::string& written) {
   source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
 }
 
-// Reads the fields up to the blank line, or to the end of a header whose data are in another file.
-std::int64_t parse_fields(const Source& source, HeaderFields& fields) {
+// Reads the fields and the names of segments up to the blank line, or to the end of a header whose data are
+// in another file.
+std::int64_t parse_fields(const Source& source, HeaderFields& fields, SegmentNames& segments) {
+  // 3D Slicer writes the parameters of a segmentation into one line of several thousand characters.
+  constexpr std::size_t longest = 100'000;
   LineCursor lines(source.bytes);
   if (!header_line(source, lines).starts_with("NRRD000"))
     source.refuse("does not begin with 'NRRD000'", "it is no NRRD file: check its format and extension");
   while (lines.remaining() > 0) {
-    const std::string_view line = header_line(source, lines);
+    const std::string_view line = header_line(source, lines, longest);
     if (line.empty()) return static_cast<std::int64_t>(lines.offset());
-    if (line.front() == '#' || line.find(":=") != std::string_view::npos) continue;
+    if (line.front() == '#') continue;
+    if (const auto assigned = line.find(":="); assigned != std::string_view::npos) {
+      segments.add(line.substr(0, assigned), line.substr(assigned + 2));
+      continue;
+    }
     const auto colon = line.find(": ");
     if (colon == std::string_view::npos)
       source.refuse(lines.place() + " of its header is " + in_quotes(line), remedy_export_again);
@@ -84,9 +92,30 @@ Vec3 lps_signs(const Source& source, const HeaderFields& fields) {
       "save it with its orientation in left-posterior-superior or right-anterior-superior");
 }
 
+// Sets the size. An image of four dimensions is read if the first one counts the layers of a segmentation.
+void set_size(const Source& source, const HeaderFields& fields, bool has_segments, VoxelLayout& layout) {
+  const auto dimensions = fields.integer("dimension");
+  const auto sizes = fields.integers("sizes");
+  const bool layered = dimensions == 4 && has_segments && sizes.size() == 4 &&
+                       lower_case(fields.text("spacedirections", "")).starts_with("none");
+  if (dimensions != 3 && !layered)
+    source.refuse(
+        "is an image of " + std::to_string(dimensions) + " dimensions (colours and vectors count as one)",
+        "a label map has three: save one volume of it");
+  if (!layered && sizes.size() != 3) source.refuse("its header has not three sizes", remedy_export_again);
+  std::copy(sizes.end() - 3, sizes.end(), layout.size.begin());
+  if (!layered) return;
+  layout.layers = sizes.front();
+  constexpr std::int64_t most_layers = 1000;
+  if (layout.layers < 1 || layout.layers > most_layers)
+    source.refuse("its header announces " + std::to_string(layout.layers) + " layers", remedy_export_again);
+}
+
 void set_geometry(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
   const Vec3 signs = lps_signs(source, fields);
-  const auto directions = fields.numbers("spacedirections", 9), origin = fields.numbers("spaceorigin", 3);
+  const std::string_view skip = fields.integer("dimension") == 4 ? "none" : "";
+  const auto directions = fields.numbers("spacedirections", 9, skip),
+             origin = fields.numbers("spaceorigin", 3);
   for (int axis = 0; axis < 3; ++axis)
     for (int row = 0; row < 3; ++row) layout.axes(row, axis) = signs[row] * directions[3 * axis + row];
   for (int row = 0; row < 3; ++row) layout.origin[row] = signs[row] * origin[row];
@@ -107,19 +136,15 @@ VoxelLayout nrrd_layout(const std::filesystem::path& path) {
   const Source source{path.string(), header};
   HeaderFields fields(source);
   VoxelLayout layout;
-  layout.offset = parse_fields(source, fields);
+  SegmentNames segments;
+  layout.offset = parse_fields(source, fields, segments);
   layout.data_file = path;
-  if (fields.integer("dimension") != 3)
-    source.refuse("is an image of " + std::to_string(fields.integer("dimension")) +
-                      " dimensions (colours and vectors count as one)",
-                  "a label map has three: save one volume of it");
-  const auto sizes = fields.integers("sizes");
-  if (sizes.size() != 3) source.refuse("its header has not three sizes", remedy_export_again);
-  std::copy(sizes.begin(), sizes.end(), layout.size.begin());
+  set_size(source, fields, !segments.empty(), layout);
   layout.type = type_of(source, fields.text("type"));
   layout.order = byte_order(source, fields, layout.type);
   require_millimetres(source, fields);
   set_geometry(source, fields, layout);
+  layout.names = segments.by_layer(layout.layers);
   const std::string encoding = lower_case(fields.text("encoding"));
   if (encoding == "gzip" || encoding == "gz")
     layout.packing = ByteStream::Packing::deflate;

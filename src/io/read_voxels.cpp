@@ -13,7 +13,7 @@ class LabelReader {
  public:
   LabelReader(const Source& source, const VoxelLayout& layout)
       : source_(source), layout_(layout), stream_(layout.data_file, layout.offset, layout.packing) {
-    count_ = layout.size[0] * layout.size[1] * layout.size[2];
+    count_ = layout.size[0] * layout.size[1] * layout.size[2] * layout.layers;
   }
 
   std::vector<std::uint16_t> read() {

@@ -5,6 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 #include "io/file_bytes.hpp"
 #include "io/unpack.hpp"
@@ -20,6 +23,7 @@ struct NumberType {
 
 struct VoxelLayout {
   std::array<std::int64_t, 3> size{};  ///< voxels along i, j, k
+  std::int64_t layers = 1;             ///< labels at each voxel, stored side by side
   NumberType type;
   ByteOrder order = ByteOrder::little;
   double slope = 1, intercept = 0;  ///< label = slope * stored value + intercept
@@ -29,6 +33,8 @@ struct VoxelLayout {
   std::int64_t skipped = 0;    ///< bytes before the voxels after decompression
   Mat3 axes = Mat3::Zero();    ///< columns: the step to the next voxel along i, j, k, LPS mm
   Vec3 origin = Vec3::Zero();  ///< centre of the first voxel, LPS mm
+  /// What the header calls the labels of each layer: empty, or one map a layer.
+  std::vector<std::map<int, std::string>> names = {};
 };
 
 /// Each function throws IoError for a header that is damaged or that states something foramen does not read:
@@ -41,7 +47,7 @@ VoxelLayout meta_layout(const std::filesystem::path& path);
 /// not at right angles.
 void check_layout(const std::filesystem::path& path, const VoxelLayout& layout);
 
-/// Reads the labels. Memory grows with the data that are read and not with the size that the header states.
+/// Reads the labels, with the layers of a voxel side by side. Memory grows with the data that are read and not with the size that the header states.
 /// Throws IoError for too few bytes, damaged data and values that are no labels.
 std::vector<std::uint16_t> read_voxels(const std::filesystem::path& path, const VoxelLayout& layout);
 
