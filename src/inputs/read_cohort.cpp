@@ -13,6 +13,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/label_map_notes.hpp"
 #include "io/sha256.hpp"
 
 namespace foramen {
@@ -183,39 +184,47 @@ class LabelMapReader {
       cohort_.left_out.push_back({label_map_stem(file), name, {}, message_of(e)});
       return;
     }
+    notes_.add(file, labels);
     for (const RefusedLabel& refused : labels.refused) {
       cohort_.left_out.push_back({refused.stem, name, labels.sha256, refused.reason, refused.label});
       if (refused.absent) absent_.emplace(refused.label, refused.reason.about(file.string()));
     }
     for (LabelSurface& label : labels.surfaces) {
       present_.insert(label.label);
-      add(name, labels.sha256, label, ctx);
+      add(name, labels, label, ctx);
     }
     for (const RefusedLabel& refused : labels.refused)
       if (!refused.absent) present_.insert(refused.label);
     cohort_.notes.insert(cohort_.notes.end(), labels.notes.begin(), labels.notes.end());
   }
 
+  void finish() const {
+    const auto notes = notes_.messages();
+    cohort_.notes.insert(cohort_.notes.end(), notes.begin(), notes.end());
+    require_singles();
+  }
+
+ private:
   // Throws InvalidInput if a label that was given by itself, not in a range, is in no label map.
   void require_singles() const {
     for (const auto& [label, reason] : absent_)
       if (!present_.contains(label)) throw InvalidInput(reason.about("label " + std::to_string(label)));
   }
 
- private:
-  void add(const std::string& file_name, const std::string& sha256, LabelSurface& label,
+  void add(const std::string& file_name, const LabelSurfaces& labels, LabelSurface& label,
            const RunContext& ctx) {
     InputShape shape;
     shape.stem = label.stem;
     shape.file_name = file_name;
-    shape.sha256 = sha256;
+    shape.sha256 = labels.sha256;
+    shape.names_from = labels.names_from;
     shape.label = label.label;
     shape.extraction = label.extracted.report;
     try {
       cohort_.shapes.push_back(usable_shape(std::move(shape), std::move(label.extracted.surface),
                                             LengthUnit::millimetre, repair_, ctx));
     } catch (const InvalidInput& e) {
-      cohort_.left_out.push_back({label.stem, file_name, sha256, message_of(e), label.label});
+      cohort_.left_out.push_back({label.stem, file_name, labels.sha256, message_of(e), label.label});
     }
   }
 
@@ -224,6 +233,7 @@ class LabelMapReader {
   Cohort& cohort_;
   std::map<int, Message> absent_;
   std::set<int> present_;
+  LabelMapNotes notes_;
 };
 
 }  // namespace
@@ -300,7 +310,7 @@ Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const Ru
     else
       meshes.push_back(file);
   }
-  label_maps.require_singles();
+  label_maps.finish();
   read_meshes(meshes, unit, repair, ctx, cohort);
   const auto by_stem = [](const auto& a, const auto& b) { return a.stem < b.stem; };
   std::stable_sort(cohort.shapes.begin(), cohort.shapes.end(), by_stem);

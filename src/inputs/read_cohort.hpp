@@ -25,6 +25,7 @@ struct InputShape {
   bool was_inward = false;                  ///< the file's triangles were wound inward and have been reversed
   std::optional<int> label = std::nullopt;  ///< set if the shape comes from a label map
   ExtractionReport extraction = {};         ///< set if the shape comes from a label map
+  std::string names_from = {};              ///< how the label got its name, see LabelSurfaces; set as above
   std::optional<RepairReport> repair = std::nullopt;  ///< the changes, if the surface had to be repaired
   Mesh mesh;
 };

@@ -7,6 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/label_map_notes.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/extraction_record.hpp"
 #include "modelfiles/repair_record.hpp"
@@ -108,8 +109,10 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
   const auto all = read_all(request, ctx, summary);
   ordered_json files = ordered_json::array();
   std::vector<Finished> surfaces;
+  LabelMapNotes common;
   for (const ReadLabelMap& map : all) {
     const std::string name = map.file.filename().string();
+    common.add(map.file, map.labels);
     ordered_json written = ordered_json::array(), refused_labels = ordered_json::array();
     summary.notes.insert(summary.notes.end(), map.labels.notes.begin(), map.labels.notes.end());
     for (const RefusedLabel& refused : map.labels.refused) {
@@ -123,13 +126,20 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
       surfaces.push_back(finish(label, request.repair, ctx, summary.notes));
       written.push_back(surfaces.back().record);
     }
-    files.push_back(
-        {{"file", name}, {"sha256", map.labels.sha256}, {"surfaces", written}, {"refused", refused_labels}});
+    files.push_back({{"file", name},
+                     {"sha256", map.labels.sha256},
+                     {"names_from", map.labels.names_from},
+                     {"surfaces", written},
+                     {"refused", refused_labels}});
+    if (map.labels.passed_over) files.back()["passed_over"] = *map.labels.passed_over;
   }
+  const auto notes = common.messages();
+  summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
   if (surfaces.empty()) {
     Message message(std::string("no label could be extracted"));
     for (const LeftOut& out : summary.left_out)
       message.append(out.reason.about("\n  left out " + source_of(out)));
+    for (const Message& note : summary.notes) message.append({"\n  " + note.text, note.remedies});
     throw InvalidInput(message);
   }
 

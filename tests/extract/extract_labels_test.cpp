@@ -135,7 +135,7 @@ TEST_F(ExtractLabels, NothingWantedIsRefusedWithWhatThereIs) {
 
 TEST_F(ExtractLabels, EqualStemsAreRefused) {
   LabelRequest both = request("3-4");
-  both.names = {{3, "label4"}};
+  both.names = LabelNames{{3, "label4"}};
   EXPECT_THAT(refusal([&] { extract_labels(file({3, 4}), both, ctx_); }), says("spine_label4"));
 }
 
