@@ -15,6 +15,7 @@ struct ProjectCommand {
 int project(const ProjectCommand& command) {
   const Console& console = command.console;
   const ProjectSummary summary = project_files(command.request, console.context());
+  for (const Message& note : summary.notes) console.warn(note);
   bool failed = false;
   for (const ProjectSummary::Line& line : summary.lines) {
     failed |= line.failed;

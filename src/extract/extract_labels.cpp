@@ -154,12 +154,16 @@ std::optional<std::string> why_passed_over(const LabelMapFile& file, const std::
 
 }  // namespace
 
-std::string patient_folder(const fs::path& file) {
+bool is_kind_of_files(const std::string& folder) {
   static const std::set<std::string> kinds{"segmentations", "segmentation", "segs",  "seg",
                                            "masks",         "mask",         "labels"};
+  return kinds.contains(folder);
+}
+
+std::string patient_folder(const fs::path& file) {
   std::error_code failed;
   fs::path folder = fs::absolute(file, failed).lexically_normal().parent_path();
-  while (kinds.contains(folder.filename().string())) folder = folder.parent_path();
+  while (is_kind_of_files(folder.filename().string())) folder = folder.parent_path();
   return folder.filename().string();
 }
 

@@ -25,8 +25,10 @@ struct LabelMapFile {
   std::string mask_stem;
 };
 
-/// The nearest folder above the file that tells more than what kind of files it holds ("segmentations").
-/// Empty if there is none.
+/// Whether a folder of that name tells only what kind of files it holds: "segmentations", "masks" ...
+bool is_kind_of_files(const std::string& folder);
+
+/// The nearest folder above the file that is no is_kind_of_files(). Empty if there is none.
 std::string patient_folder(const std::filesystem::path& file);
 
 struct LabelSurface {

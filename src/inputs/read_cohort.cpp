@@ -1,7 +1,6 @@
 #include "inputs/read_cohort.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -20,48 +19,6 @@ namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_mesh_file(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const auto& known = mesh_extensions();
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += " " + word;
-  return text;
-}
-
-// The files that are read if a folder is given.
-struct Kind {
-  const char* what;
-  bool meshes, label_maps;
-  bool includes(const fs::path& path) const {
-    return (meshes && is_mesh_file(path)) || (label_maps && is_label_map(path));
-  }
-  std::string extensions() const {
-    return (meshes ? joined(mesh_extensions()) : "") + (label_maps ? joined(label_map_extensions()) : "");
-  }
-};
-constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
-    shape_files{"mesh file and no label map", true, true};
-
-// Throws IoError instead of std::filesystem_error, whose message does not say what to do.
-std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
-  std::error_code failed;
-  std::vector<fs::path> found;
-  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    if (entry->is_regular_file() && kind.includes(entry->path())) found.push_back(entry->path());
-  if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
-  if (found.empty()) {
-    throw InvalidInput(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
-                       kind.extensions() + ")");
-  }
-  return found;
-}
 
 std::string millimetres(double value) {
   std::ostringstream text;
@@ -102,55 +59,26 @@ const InputShape* same_surface(const InputShape& shape, const std::vector<InputS
   return found == others.end() ? nullptr : &*found;
 }
 
-// Two files with equal results here would have shapes of the same name. The flag tells meshes and label maps
-// apart, because the names of a label map's shapes are longer than its stem.
-std::pair<std::string, bool> stem_of(const fs::path& file) {
-  const bool label_map = is_label_map(file);
-  return {label_map ? label_map_stem(file) : file.stem().string(), label_map};
-}
-
-std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind& kind) {
-  std::vector<fs::path> files;
-  for (const fs::path& input : inputs) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(input, failed);
-    if (fs::is_directory(status)) {
-      const auto found = files_in_folder(input, kind);
-      files.insert(files.end(), found.begin(), found.end());
-    } else if (fs::exists(status)) {
-      files.push_back(input);
-    } else {
-      throw InvalidInput(input.string() + ": there is no such file or folder (" + failed.message() + ")");
-    }
-  }
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return std::pair(stem_of(a), a) < std::pair(stem_of(b), b);
-  });
-  files.erase(std::unique(files.begin(), files.end()), files.end());
-  for (std::size_t i = 1; i < files.size(); ++i)
-    if (stem_of(files[i]) == stem_of(files[i - 1]))
-      throw InvalidInput(
-          files[i - 1].string() + " and " + files[i].string() +
-          " have the same name without extension, which would name two shapes alike: rename one");
-  return files;
-}
-
 std::string source_text(const std::string& file_name, std::optional<int> label) {
   return label ? file_name + ", label " + std::to_string(*label) : file_name;
 }
 
-void read_meshes(const std::vector<fs::path>& files, LengthUnit unit,
+void read_meshes(const std::vector<ShapeFile>& files, LengthUnit unit,
                  const std::optional<RepairOptions>& repair, const RunContext& ctx, Cohort& cohort) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
-    const fs::path& file = files[i];
+    const ShapeFile& file = files[i];
     auto& result = results[i];
     try {
-      result = read_shape(file, unit, repair, ctx.with_threads(1).without_progress());
+      InputShape shape = read_shape(file.path, unit, repair, ctx.with_threads(1).without_progress());
+      shape.stem = file.name;
+      shape.file_name = file.shown();
+      shape.folder = file.folder;
+      result = std::move(shape);
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{file.stem().string(), file.filename().string(), {}, message_of(e)};
+      result = LeftOut{file.name, file.shown(), {}, message_of(e)};
     }
   });
   for (auto& result : results) {
@@ -173,25 +101,25 @@ class LabelMapReader {
   LabelMapReader(const LabelRequest& request, const std::optional<RepairOptions>& repair, Cohort& cohort)
       : request_(request), repair_(repair.value_or(RepairOptions{})), cohort_(cohort) {}
 
-  void read(const fs::path& file, const RunContext& ctx) {
-    const std::string name = file.filename().string();
+  void read(const ShapeFile& file, const RunContext& ctx) {
+    const std::string name = file.shown();
     LabelSurfaces labels;
     try {
-      labels = extract_labels(file, request_, ctx);
+      labels = extract_labels(file.label_map(), request_, ctx);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      cohort_.left_out.push_back({label_map_stem(file), name, {}, message_of(e)});
+      cohort_.left_out.push_back({file.name, name, {}, message_of(e)});
       return;
     }
-    notes_.add(file, labels);
+    notes_.add(file.path, labels);
     for (const RefusedLabel& refused : labels.refused) {
       cohort_.left_out.push_back({refused.stem, name, labels.sha256, refused.reason, refused.label});
-      if (refused.absent) absent_.emplace(refused.label, refused.reason.about(file.string()));
+      if (refused.absent) absent_.emplace(refused.label, refused.reason.about(file.path.string()));
     }
     for (LabelSurface& label : labels.surfaces) {
       present_.insert(label.label);
-      add(name, labels, label, ctx);
+      add(file, labels, label, ctx);
     }
     for (const RefusedLabel& refused : labels.refused)
       if (!refused.absent) present_.insert(refused.label);
@@ -211,11 +139,11 @@ class LabelMapReader {
       if (!present_.contains(label)) throw InvalidInput(reason.about("label " + std::to_string(label)));
   }
 
-  void add(const std::string& file_name, const LabelSurfaces& labels, LabelSurface& label,
-           const RunContext& ctx) {
+  void add(const ShapeFile& file, const LabelSurfaces& labels, LabelSurface& label, const RunContext& ctx) {
     InputShape shape;
     shape.stem = label.stem;
-    shape.file_name = file_name;
+    shape.file_name = file.shown();
+    shape.folder = file.folder;
     shape.sha256 = labels.sha256;
     shape.names_from = labels.names_from;
     shape.label = label.label;
@@ -224,7 +152,7 @@ class LabelMapReader {
       cohort_.shapes.push_back(usable_shape(std::move(shape), std::move(label.extracted.surface),
                                             LengthUnit::millimetre, repair_, ctx));
     } catch (const InvalidInput& e) {
-      cohort_.left_out.push_back({label.stem, file_name, labels.sha256, message_of(e), label.label});
+      cohort_.left_out.push_back({label.stem, file.shown(), labels.sha256, message_of(e), label.label});
     }
   }
 
@@ -237,18 +165,6 @@ class LabelMapReader {
 };
 
 }  // namespace
-
-std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
-  return find_files(inputs, meshes_only);
-}
-
-std::vector<fs::path> find_shape_files(const std::vector<fs::path>& inputs) {
-  return find_files(inputs, shape_files);
-}
-
-std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
-  return find_files(inputs, label_maps_only);
-}
 
 std::string source_of(const InputShape& shape) { return source_text(shape.file_name, shape.label); }
 std::string source_of(const LeftOut& shape) { return source_text(shape.file_name, shape.label); }
@@ -299,13 +215,13 @@ InputShape read_shape(const fs::path& file, LengthUnit unit, const std::optional
   }
 }
 
-Cohort read_cohort(const std::vector<fs::path>& files, LengthUnit unit, const RunContext& ctx,
+Cohort read_cohort(const std::vector<ShapeFile>& files, LengthUnit unit, const RunContext& ctx,
                    const LabelRequest& labels, const std::optional<RepairOptions>& repair) {
   Cohort cohort;
-  std::vector<fs::path> meshes;
+  std::vector<ShapeFile> meshes;
   LabelMapReader label_maps(labels, repair, cohort);
-  for (const fs::path& file : files) {
-    if (is_label_map(file))
+  for (const ShapeFile& file : files) {
+    if (is_label_map(file.path))
       label_maps.read(file, ctx);
     else
       meshes.push_back(file);

@@ -1,7 +1,5 @@
 #include "workflow/evaluate_folder.hpp"
 
-#include <algorithm>
-
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
@@ -16,14 +14,13 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<std::string>& names) {
-  const auto files = find_meshes({folder});
+  const auto files = find_meshes({folder}).files;
   std::vector<Mesh> surfaces;
   for (const std::string& name : names) {
-    const auto file =
-        std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return f.stem() == name; });
-    if (file == files.end())
+    const ShapeFile* file = file_named(files, name);
+    if (file == nullptr)
       throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name);
-    surfaces.push_back(build_mesh(read_mesh(*file).soup));
+    surfaces.push_back(build_mesh(read_mesh(file->path).soup));
   }
   return surfaces;
 }

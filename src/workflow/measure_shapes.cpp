@@ -35,11 +35,11 @@ Measurer measurer_of(const ShapeModel& model, const MeasureDefinitions& definiti
 std::vector<MeasuredShape> measure_files(const Measurer& measurer,
                                          const std::vector<std::filesystem::path>& inputs, LengthUnit unit,
                                          const RunContext& ctx) {
-  const auto files = find_meshes(inputs);
+  const auto files = find_meshes(inputs).files;
   std::vector<MeasuredShape> all;
   for (const auto& file : files) {
     ctx.step("measure", static_cast<double>(all.size()) / static_cast<double>(files.size()));
-    all.push_back({file.stem().string(), measured(measurer, file, unit)});
+    all.push_back({file.name, measured(measurer, file.path, unit)});
   }
   return all;
 }

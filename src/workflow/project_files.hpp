@@ -27,8 +27,9 @@ struct ProjectSummary {
     Message message;
     bool failed = false;
   };
-  std::vector<Line> lines;  ///< in order of stem
-  std::string json;         ///< what project.json holds
+  std::vector<Line> lines;     ///< in order of stem
+  std::vector<Message> notes;  ///< what the user should know though it is no error
+  std::string json;            ///< what project.json holds
 };
 
 /// Registers every surface to the mean and writes, into the output folder, corresponding/STEM.ply (its

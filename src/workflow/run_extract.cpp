@@ -73,7 +73,7 @@ Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& r
 }
 
 struct ReadLabelMap {
-  fs::path file;
+  ShapeFile file;
   LabelSurfaces labels;
 };
 
@@ -81,23 +81,23 @@ struct ReadLabelMap {
 std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunContext& ctx,
                                    ExtractSummary& summary) {
   std::vector<ReadLabelMap> all;
-  const auto files = find_label_maps(request.inputs);
+  const auto [files, search_notes] = find_label_maps(request.inputs);
+  summary.notes = search_notes;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    ctx.step("extract", static_cast<double>(i) / static_cast<double>(files.size()),
-             files[i].filename().string());
+    ctx.step("extract", static_cast<double>(i) / static_cast<double>(files.size()), files[i].shown());
     try {
-      all.push_back({files[i], extract_labels(files[i], request.labels, ctx)});
+      all.push_back({files[i], extract_labels(files[i].label_map(), request.labels, ctx)});
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
       if (files.size() == 1) throw;
-      summary.left_out.push_back({label_map_stem(files[i]), files[i].filename().string(), {}, message_of(e)});
+      summary.left_out.push_back({files[i].name, files[i].shown(), {}, message_of(e)});
       continue;
     }
     for (const RefusedLabel& refused : all.back().labels.refused)
       if (refused.absent)
         throw InvalidInput(
-            refused.reason.about(files[i].string() + ": label " + std::to_string(refused.label)));
+            refused.reason.about(files[i].path.string() + ": label " + std::to_string(refused.label)));
   }
   return all;
 }
@@ -111,8 +111,8 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
   std::vector<Finished> surfaces;
   LabelMapNotes common;
   for (const ReadLabelMap& map : all) {
-    const std::string name = map.file.filename().string();
-    common.add(map.file, map.labels);
+    const std::string name = map.file.shown();
+    common.add(map.file.path, map.labels);
     ordered_json written = ordered_json::array(), refused_labels = ordered_json::array();
     summary.notes.insert(summary.notes.end(), map.labels.notes.begin(), map.labels.notes.end());
     for (const RefusedLabel& refused : map.labels.refused) {
