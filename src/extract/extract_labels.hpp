@@ -16,7 +16,7 @@ namespace foramen {
 
 /// A label map on disk and the first parts of the names of its shapes.
 struct LabelMapFile {
-  LabelMapFile(std::filesystem::path file);  // NOLINT(google-explicit-constructor): a path is one
+  LabelMapFile(std::filesystem::path file);
 
   std::filesystem::path path;
   std::string stem;  ///< the file name without extension

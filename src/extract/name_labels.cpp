@@ -66,9 +66,14 @@ class Namer {
   void choose() {
     const int only = present_.size() == 1 ? present_.begin()->first : 0;
     if (request_.names) return take(*request_.names, NameSource::label_names);
-    if (!request_.numbering && !in_file_.empty()) return take(in_file_, NameSource::names_in_file);
-    if (level_in_name_ && (only == 1 || !known(only)))
-      return take({{only, level_in_name_->level}}, NameSource::file_name);
+    // "Segment_1" in a file vertebrae_L1 tells less than the file's name.
+    const bool levels_in_file = std::any_of(in_file_.begin(), in_file_.end(), [](const auto& entry) {
+      return rank_of_level(entry.second).has_value();
+    });
+    const bool is_mask = level_in_name_ && (only == 1 || !known(only));
+    if (!request_.numbering && !in_file_.empty() && (levels_in_file || !is_mask))
+      return take(in_file_, NameSource::names_in_file);
+    if (is_mask) return take({{only, level_in_name_->level}}, NameSource::file_name);
     take(label_names(numbering_), request_.numbering ? NameSource::numbering : NameSource::assumed);
     if (only != 1 || request_.numbering) return;
     named_label1_ = true;

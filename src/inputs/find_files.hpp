@@ -12,7 +12,7 @@
 namespace foramen {
 
 struct ShapeFile {
-  ShapeFile(std::filesystem::path file);  // NOLINT(google-explicit-constructor): a path is one
+  ShapeFile(std::filesystem::path file);
 
   std::filesystem::path path;
   /// The name of a mesh's shape and the first part of the names of a label map's shapes: the file name without

@@ -19,13 +19,18 @@ void LabelMapNotes::add(const std::filesystem::path& file, const LabelSurfaces& 
     assumed_.push_back(name);
 }
 
-std::vector<Message> LabelMapNotes::messages() const {
+std::vector<Message> LabelMapNotes::on_passed_over() const {
   std::vector<Message> notes;
   for (const auto& [reason, files] : passed_over_)
     notes.emplace_back((files.size() == 1 ? "1 mask is " + reason + " and was passed over: "
                                           : std::to_string(files.size()) + " masks are " + reason +
                                                 " and were passed over: ") +
                        first_names(files));
+  return notes;
+}
+
+std::vector<Message> LabelMapNotes::messages() const {
+  std::vector<Message> notes = on_passed_over();
   if (!assumed_.empty())
     notes.emplace_back(
         "the labels were assumed to be numbered as by VerSe (8 is T1, 20 is L1), because "

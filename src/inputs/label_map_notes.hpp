@@ -16,7 +16,9 @@ namespace foramen {
 class LabelMapNotes {
  public:
   void add(const std::filesystem::path& file, const LabelSurfaces& labels);
-  /// One note a finding, with the names of the first files.
+  /// Why nothing was taken of some masks: one note a reason, with the names of the first files.
+  std::vector<Message> on_passed_over() const;
+  /// These and, if a numbering was assumed, a note on that.
   std::vector<Message> messages() const;
 
  private:

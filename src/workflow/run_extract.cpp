@@ -139,7 +139,7 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
     Message message(std::string("no label could be extracted"));
     for (const LeftOut& out : summary.left_out)
       message.append(out.reason.about("\n  left out " + source_of(out)));
-    for (const Message& note : summary.notes) message.append({"\n  " + note.text, note.remedies});
+    for (const Message& note : common.on_passed_over()) message.append({"\n  " + note.text, note.remedies});
     throw InvalidInput(message);
   }
 

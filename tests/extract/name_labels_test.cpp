@@ -79,6 +79,13 @@ TEST(NameLabels, AMaskIsNamedByItsFile) {
   EXPECT_THAT(given.doubts, ElementsAre(AllOf(says("C1 by verse"), says("file's name says L1"))));
 }
 
+TEST(NameLabels, ANameInTheFileThatIsNoLevelTellsLessThanTheFilesName) {
+  EXPECT_EQ(named({1}, "vertebrae_L1", {}, {{1, "Segment_1"}}).names.at(1), "L1");
+  const LabelNaming naming = named({1}, "vertebrae_L1", {}, {{1, "L2 vertebra"}});
+  EXPECT_EQ(naming.names.at(1), "L2");
+  EXPECT_THAT(naming.doubts, ElementsAre(AllOf(says("L2 by the names in the file"), says("says L1"))));
+}
+
 TEST(NameLabels, ALoneLabel1IsNeverC1Silently) {
   const LabelNaming naming = named({1}, "bone");
   EXPECT_EQ(naming.names.at(1), "label1");
