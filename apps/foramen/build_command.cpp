@@ -52,7 +52,8 @@ void add_build(CLI::App& program, Run& run) {
   command->add_flag("--strict", options->strict, "exit 1 if any shape is left out");
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {
-    options->console.command = canonical_command(*command, options->inputs);
+    options->console.command =
+        canonical_command(*command, words_of_inputs(options->inputs, find_shape_files));
     options->request = options->arguments.request(options->inputs, options->output, options->console.command);
     run = [options] { return build(*options); };
   });

@@ -53,7 +53,7 @@ void add_extract(CLI::App& program, Run& run) {
   add_console_options(*command, options->console);
   command->callback([options, command, &run] {
     options->labels = options->flags.resolved();
-    options->console.command = canonical_command(*command, options->inputs);
+    options->console.command = canonical_command(*command, words_of_inputs(options->inputs, find_label_maps));
     run = [options] { return extract(*options); };
   });
 }

@@ -9,6 +9,7 @@ void LabelFlags::add_to(CLI::App& command) {
   LabelChoices defaults;
   defaults.numbering = LabelNumbering::verse;
   const auto added = add_choices(command, choices_, defaults);
+  added.at("numbering")->default_str("the names in the file, else verse");
   added.at("label_names")->excludes(added.at("numbering"));
 }
 

@@ -130,7 +130,7 @@ std::string build_folder(const std::vector<std::string>& inputs, const std::stri
   if (!truth.empty() && !std::filesystem::is_directory(truth))
     throw InvalidInput("truth: there is no folder " + truth);
 
-  CanonicalCommand command("build", inputs);
+  CanonicalCommand command("build", words_of_inputs(inputs, find_shape_files));
   command.add(choices, chosen);
   if (units) command.add("units", *units);
   command.add(given_labels.choices, labels);
@@ -151,7 +151,7 @@ std::string extract_folder(const std::vector<std::string>& inputs, const std::st
   request.output = output;
   request.labels = given_labels.request.value_or(LabelRequest{});
   request.repair = repair_from(repair, limits);
-  CanonicalCommand command("extract", inputs);
+  CanonicalCommand command("extract", words_of_inputs(inputs, find_label_maps));
   command.add(given_labels.choices, labels);
   add_repair(command, request.repair, limits);
   request.canonical_command = command.text();

@@ -21,7 +21,8 @@ def extract(inputs, output, *, labels=None, numbering=None, label_names=None, ke
             handle_limit=None, hole_limit=None, threads=0, progress=None):
     """Writes meshes of the labels of label maps to a folder. Returns the contents of extract.json as a dict.
 
-    labels: for example "20-24,3"; numbering: "verse" or "totalsegmentator"; label_names: a CSV file with the names.
+    labels: for example "20-24,3"; numbering: "verse", "totalsegmentator", "totalsegmentator-v1" or
+    "totalspineseg"; label_names: a CSV file with the names.
     """
     return json.loads(_foramen.extract(paths_of(inputs), os.fspath(output), _labels(labels, numbering, label_names, keep_cut),
                                        bool(repair), given(handle_limit=handle_limit, hole_limit=hole_limit), threads,

@@ -31,6 +31,22 @@ LabelNames totalsegmentator_names() {
   return names;
 }
 
+LabelNames totalsegmentator_v1_names() {
+  LabelNames names{{92, "sacrum"}};
+  add_series(names, "L", 5, 22, -1);
+  add_series(names, "T", 12, 34, -1);
+  add_series(names, "C", 7, 41, -1);
+  return names;
+}
+
+LabelNames totalspineseg_names() {
+  LabelNames names{{50, "sacrum"}};
+  add_series(names, "C", 7, 11, 1);
+  add_series(names, "T", 12, 21, 1);
+  add_series(names, "L", 5, 41, 1);
+  return names;
+}
+
 bool allowed(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
          c == '.';
@@ -39,8 +55,19 @@ bool allowed(char c) {
 }  // namespace
 
 const LabelNames& label_names(LabelNumbering numbering) {
-  static const LabelNames verse = verse_names(), totalsegmentator = totalsegmentator_names();
-  return numbering == LabelNumbering::verse ? verse : totalsegmentator;
+  static const LabelNames verse = verse_names(), totalsegmentator = totalsegmentator_names(),
+                          totalsegmentator_v1 = totalsegmentator_v1_names(),
+                          totalspineseg = totalspineseg_names();
+  switch (numbering) {
+    case LabelNumbering::totalsegmentator:
+      return totalsegmentator;
+    case LabelNumbering::totalsegmentator_v1:
+      return totalsegmentator_v1;
+    case LabelNumbering::totalspineseg:
+      return totalspineseg;
+    default:
+      return verse;
+  }
 }
 
 LabelNames read_label_names(const std::filesystem::path& path) {
@@ -64,6 +91,13 @@ LabelNames read_label_names(const std::filesystem::path& path) {
     if (!taken.insert(name).second) refuse("the name '" + name + "' is there twice; rename one");
   }
   return names;
+}
+
+std::string name_for_files(std::string_view name) {
+  std::string text(name);
+  for (char& c : text)
+    if (!allowed(c)) c = '_';
+  return text;
 }
 
 std::string name_of(const LabelNames& names, int label) {

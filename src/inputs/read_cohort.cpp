@@ -11,68 +11,14 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/label_map_notes.hpp"
 #include "inputs/surface_size.hpp"
-#include "io/foreign_file.hpp"
 #include "io/sha256.hpp"
 
 namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += " " + word;
-  return text;
-}
-
-// The files that are read if a folder is given.
-struct Kind {
-  const char* what;
-  bool meshes, label_maps;
-  bool includes(const fs::path& path) const {
-    return (meshes && is_mesh_file(path)) || (label_maps && is_label_map(path));
-  }
-  std::string extensions() const {
-    return (meshes ? joined(mesh_extensions()) : "") + (label_maps ? joined(label_map_extensions()) : "");
-  }
-};
-constexpr Kind meshes_only{"mesh file", true, false}, label_maps_only{"label map", false, true},
-    shape_files{"mesh file and no label map", true, true};
-
-// Names what a folder holds instead, such as the slices of a DICOM series, by the first files in it.
-void refuse_foreign_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  constexpr std::size_t looked_at = 10;
-  files.resize(std::min(files.size(), looked_at));
-  for (const fs::path& file : files) io_detail::refuse_foreign(file);
-}
-
-// Throws IoError instead of std::filesystem_error, whose message does not say what to do.
-std::vector<fs::path> files_in_folder(const fs::path& folder, const Kind& kind) {
-  std::error_code failed;
-  std::vector<fs::path> found;
-  bool holds_label_maps = false;
-  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed))
-    if (entry->is_regular_file()) {
-      if (kind.includes(entry->path())) found.push_back(entry->path());
-      holds_label_maps |= is_label_map(entry->path());
-    }
-  if (failed) throw IoError(folder.string() + ": cannot read the folder (" + failed.message() + ")");
-  if (found.empty()) {
-    refuse_foreign_files(folder);
-    Message message(folder.string() + ": the folder holds no " + kind.what + " (looked for" +
-                    kind.extensions() + ")");
-    if (holds_label_maps)
-      message.append(
-          {", but label maps: make meshes of their labels first", {{RemedyKind::extract_surfaces}}});
-    throw InvalidInput(message);
-  }
-  return found;
-}
 
 TriangleSoup in_millimetres(TriangleSoup soup, LengthUnit unit) {
   if (unit != LengthUnit::millimetre)
@@ -90,57 +36,26 @@ const InputShape* same_surface(const InputShape& shape, const std::vector<InputS
   return found == others.end() ? nullptr : &*found;
 }
 
-// Two files with equal results here would have shapes of the same name. The flag tells meshes and label maps
-// apart, because the names of a label map's shapes are longer than its stem.
-std::pair<std::string, bool> stem_of(const fs::path& file) {
-  const bool label_map = is_label_map(file);
-  return {label_map ? label_map_stem(file) : mesh_stem(file), label_map};
-}
-
-std::vector<fs::path> find_files(const std::vector<fs::path>& inputs, const Kind& kind) {
-  std::vector<fs::path> files;
-  for (const fs::path& input : inputs) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(input, failed);
-    if (fs::is_directory(status)) {
-      const auto found = files_in_folder(input, kind);
-      files.insert(files.end(), found.begin(), found.end());
-    } else if (fs::exists(status)) {
-      files.push_back(input);
-    } else {
-      const bool missing = failed == std::errc::no_such_file_or_directory;
-      throw InvalidInput(input.string() + ": there is no such file or folder" +
-                         (missing ? "; check the name" : " (" + failed.message() + ")"));
-    }
-  }
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return std::pair(stem_of(a), a) < std::pair(stem_of(b), b);
-  });
-  files.erase(std::unique(files.begin(), files.end()), files.end());
-  for (std::size_t i = 1; i < files.size(); ++i)
-    if (stem_of(files[i]) == stem_of(files[i - 1]))
-      throw InvalidInput(
-          files[i - 1].string() + " and " + files[i].string() +
-          " have the same name without extension, which would name two shapes alike: rename one");
-  return files;
-}
-
 std::string source_text(const std::string& file_name, std::optional<int> label) {
   return label ? file_name + ", label " + std::to_string(*label) : file_name;
 }
 
-void read_meshes(const std::vector<fs::path>& files, const InputUnit& unit,
+void read_meshes(const std::vector<ShapeFile>& files, const InputUnit& unit,
                  const std::optional<RepairOptions>& repair, const RunContext& ctx, Cohort& cohort) {
   std::vector<std::variant<std::monostate, InputShape, LeftOut>> results(files.size());
   parallel_for(static_cast<int>(files.size()), ctx, [&](int i) {
-    const fs::path& file = files[i];
+    const ShapeFile& file = files[i];
     auto& result = results[i];
     try {
-      result = read_shape(file, unit, repair, ctx.with_threads(1).without_progress());
+      InputShape shape = read_shape(file.path, unit, repair, ctx.with_threads(1).without_progress());
+      shape.stem = file.name;
+      shape.file_name = file.shown();
+      shape.folder = file.folder;
+      result = std::move(shape);
     } catch (const Cancelled&) {
       throw;
     } catch (const std::exception& e) {  // a defect of ours, too, must not cost the other shapes
-      result = LeftOut{mesh_stem(file), file.filename().string(), {}, reason_without_name(e, file)};
+      result = LeftOut{file.name, file.shown(), {}, reason_without_name(e, file.path)};
     }
   });
   for (auto& result : results) {
@@ -166,50 +81,58 @@ class LabelMapReader {
   LabelMapReader(const LabelRequest& request, const std::optional<RepairOptions>& repair, Cohort& cohort)
       : request_(request), repair_(repair.value_or(RepairOptions{})), cohort_(cohort) {}
 
-  void read(const fs::path& file, const RunContext& ctx) {
-    const std::string name = file.filename().string();
+  void read(const ShapeFile& file, const RunContext& ctx) {
+    const std::string name = file.shown();
     LabelSurfaces labels;
     try {
-      labels = extract_labels(file, request_, ctx);
+      labels = extract_labels(file.label_map(), request_, ctx);
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      cohort_.left_out.push_back({label_map_stem(file), name, {}, reason_without_name(e, file)});
+      cohort_.left_out.push_back({file.name, name, {}, reason_without_name(e, file.path)});
       return;
     }
+    notes_.add(file.path, labels);
     for (const RefusedLabel& refused : labels.refused) {
       cohort_.left_out.push_back({refused.stem, name, labels.sha256, refused.reason, refused.label});
-      if (refused.absent) absent_.emplace(refused.label, refused.reason.about(file.string()));
+      if (refused.absent) absent_.emplace(refused.label, refused.reason.about(file.path.string()));
     }
     for (LabelSurface& label : labels.surfaces) {
       present_.insert(label.label);
-      add(name, labels.sha256, label, ctx);
+      add(file, labels, label, ctx);
     }
     for (const RefusedLabel& refused : labels.refused)
       if (!refused.absent) present_.insert(refused.label);
     cohort_.notes.insert(cohort_.notes.end(), labels.notes.begin(), labels.notes.end());
   }
 
+  void finish() const {
+    const auto notes = notes_.messages();
+    cohort_.notes.insert(cohort_.notes.end(), notes.begin(), notes.end());
+    require_singles();
+  }
+
+ private:
   // Throws InvalidInput if a label that was given by itself, not in a range, is in no label map.
   void require_singles() const {
     for (const auto& [label, reason] : absent_)
       if (!present_.contains(label)) throw InvalidInput(reason.about("label " + std::to_string(label)));
   }
 
- private:
-  void add(const std::string& file_name, const std::string& sha256, LabelSurface& label,
-           const RunContext& ctx) {
+  void add(const ShapeFile& file, const LabelSurfaces& labels, LabelSurface& label, const RunContext& ctx) {
     InputShape shape;
     shape.stem = label.stem;
-    shape.file_name = file_name;
-    shape.sha256 = sha256;
+    shape.file_name = file.shown();
+    shape.folder = file.folder;
+    shape.sha256 = labels.sha256;
+    shape.names_from = labels.names_from;
     shape.label = label.label;
     shape.extraction = label.extracted.report;
     try {
       cohort_.shapes.push_back(usable_shape(std::move(shape), std::move(label.extracted.surface),
                                             LengthUnit::millimetre, repair_, ctx));
     } catch (const InvalidInput& e) {
-      cohort_.left_out.push_back({label.stem, file_name, sha256, message_of(e), label.label});
+      cohort_.left_out.push_back({label.stem, file.shown(), labels.sha256, message_of(e), label.label});
     }
   }
 
@@ -218,21 +141,10 @@ class LabelMapReader {
   Cohort& cohort_;
   std::map<int, Message> absent_;
   std::set<int> present_;
+  LabelMapNotes notes_;
 };
 
 }  // namespace
-
-std::vector<fs::path> find_meshes(const std::vector<fs::path>& inputs) {
-  return find_files(inputs, meshes_only);
-}
-
-std::vector<fs::path> find_shape_files(const std::vector<fs::path>& inputs) {
-  return find_files(inputs, shape_files);
-}
-
-std::vector<fs::path> find_label_maps(const std::vector<fs::path>& inputs) {
-  return find_files(inputs, label_maps_only);
-}
 
 Message reason_without_name(const std::exception& error, const fs::path& file) {
   Message reason = message_of(error);
@@ -298,18 +210,18 @@ InputShape read_shape(const fs::path& file, const InputUnit& unit, const std::op
   }
 }
 
-Cohort read_cohort(const std::vector<fs::path>& files, const InputUnit& unit, const RunContext& ctx,
+Cohort read_cohort(const std::vector<ShapeFile>& files, const InputUnit& unit, const RunContext& ctx,
                    const LabelRequest& labels, const std::optional<RepairOptions>& repair) {
   Cohort cohort;
-  std::vector<fs::path> meshes;
+  std::vector<ShapeFile> meshes;
   LabelMapReader label_maps(labels, repair, cohort);
-  for (const fs::path& file : files) {
-    if (is_label_map(file))
+  for (const ShapeFile& file : files) {
+    if (is_label_map(file.path))
       label_maps.read(file, ctx);
     else
       meshes.push_back(file);
   }
-  label_maps.require_singles();
+  label_maps.finish();
   read_meshes(meshes, unit, repair, ctx, cohort);
   const auto by_stem = [](const auto& a, const auto& b) { return a.stem < b.stem; };
   std::stable_sort(cohort.shapes.begin(), cohort.shapes.end(), by_stem);

@@ -12,6 +12,7 @@
 #include "foramen/core/units.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/repair/repair_mesh.hpp"
+#include "inputs/find_files.hpp"
 
 namespace foramen {
 
@@ -19,12 +20,14 @@ namespace foramen {
 struct InputShape {
   std::string
       stem;  ///< file name without extension, plus _ and the label's name if there is one; the shape's name
-  std::string file_name;  ///< with extension, without folder
-  std::string sha256;     ///< of the file's bytes
+  std::string file_name;    ///< with extension, see ShapeFile::shown()
+  std::string folder = {};  ///< tells the files of the cohort apart, see ShapeFile; empty if their names do
+  std::string sha256;       ///< of the file's bytes
   AnatomicalSpace space = AnatomicalSpace::lps;
   bool was_inward = false;                  ///< the file's triangles were wound inward and have been reversed
   std::optional<int> label = std::nullopt;  ///< set if the shape comes from a label map
   ExtractionReport extraction = {};         ///< set if the shape comes from a label map
+  std::string names_from = {};              ///< how the label got its name, see LabelSurfaces; set as above
   std::optional<RepairReport> repair = std::nullopt;  ///< the changes, if the surface had to be repaired
   std::vector<Message> notes = {};                    ///< on how the file was read
   std::optional<Message> size_note =
@@ -53,24 +56,13 @@ struct Cohort {
 /// files.
 Message reason_without_name(const std::exception& error, const std::filesystem::path& file);
 
-/// The mesh files that these inputs name, in order of stem. A folder stands for the mesh files directly in
-/// it. Throws InvalidInput for a path that does not exist, a folder without meshes, or two files with the
-/// same stem.
-std::vector<std::filesystem::path> find_meshes(const std::vector<std::filesystem::path>& inputs);
-
-/// As find_meshes(), for mesh files and label maps. A mesh and a label map may have the same stem, because
-/// the names of a label map's shapes are longer than its stem.
-std::vector<std::filesystem::path> find_shape_files(const std::vector<std::filesystem::path>& inputs);
-/// As find_meshes(), for label maps.
-std::vector<std::filesystem::path> find_label_maps(const std::vector<std::filesystem::path>& inputs);
-
 /// Reads and audits each file: meshes in the given unit, and the requested labels of label maps. A surface
 /// that cannot be used is left out with its reason; a bad file is no reason to throw. Throws InvalidInput if
 /// two shapes have the same stem, or if a label that was requested by itself is in no label map.
 /// \param repair  if set, surfaces that the audit refuses are repaired. Surfaces of labels are always
 /// repaired.
-Cohort read_cohort(const std::vector<std::filesystem::path>& files, const InputUnit& unit,
-                   const RunContext& ctx, const LabelRequest& labels = {},
+Cohort read_cohort(const std::vector<ShapeFile>& files, const InputUnit& unit, const RunContext& ctx,
+                   const LabelRequest& labels = {},
                    const std::optional<RepairOptions>& repair = std::nullopt);
 
 /// Returns the shape with this surface, audited, and repaired if repair is requested and necessary. The other

@@ -42,13 +42,16 @@ std::int64_t HeaderFields::integer(const std::string& key) const {
   return numbers.front();
 }
 
-std::vector<double> HeaderFields::numbers(const std::string& key, std::size_t count) const {
+std::vector<double> HeaderFields::numbers(const std::string& key, std::size_t count,
+                                          std::string_view skip) const {
   std::string plain = text(key);
   std::replace_if(
       plain.begin(), plain.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
   std::vector<double> numbers;
   TokenCursor words(plain);
-  for (auto word = words.next(); !word.empty(); word = words.next())
+  auto word = words.next();
+  if (!skip.empty() && word == skip) word = words.next();
+  for (; !word.empty(); word = words.next())
     numbers.push_back(to_number(word).value_or(std::numeric_limits<double>::quiet_NaN()));
   const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
   if (numbers.size() != count || !finite)
@@ -68,8 +71,7 @@ std::string header_text(const std::filesystem::path& path) {
   return bytes;
 }
 
-std::string_view header_line(const Source& source, LineCursor& lines) {
-  constexpr std::size_t longest = 1000;
+std::string_view header_line(const Source& source, LineCursor& lines, std::size_t longest) {
   if (!lines.next()) source.refuse("its header does not end", remedy_export_again);
   if (lines.line().size() > longest)
     source.refuse(lines.place() + " of its header has " + std::to_string(lines.line().size()) + " characters",

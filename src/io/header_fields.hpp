@@ -26,8 +26,8 @@ class HeaderFields {
   std::int64_t integer(const std::string& key) const;
   std::vector<std::int64_t> integers(const std::string& key) const;
   /// The numbers of a value; brackets and commas between them are ignored. Refuses a number of values other
-  /// than `count`.
-  std::vector<double> numbers(const std::string& key, std::size_t count) const;
+  /// than `count`. A first word equal to `skip` is passed over.
+  std::vector<double> numbers(const std::string& key, std::size_t count, std::string_view skip = {}) const;
 
  private:
   const Source& source_;
@@ -37,8 +37,8 @@ class HeaderFields {
 /// The beginning of a file, which must contain its whole text header.
 std::string header_text(const std::filesystem::path& path);
 
-/// The next line of a text header; refuses a line too long for a header.
-std::string_view header_line(const Source& source, LineCursor& lines);
+/// The next line of a text header; refuses a line with more characters than that.
+std::string_view header_line(const Source& source, LineCursor& lines, std::size_t longest = 1000);
 
 /// The data files that a header names: one file; the word LIST, after which one file name a line follows in
 /// the header; or a pattern with a number, such as "slice_%03d.raw 1 50 1" (first, last, step). A relative

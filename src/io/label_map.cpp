@@ -18,9 +18,10 @@ struct Format {
   LayoutReader layout;
 };
 
-constexpr Format formats[] = {{".nii", io_detail::nifti_layout}, {".nii.gz", io_detail::nifti_layout},
-                              {".nrrd", io_detail::nrrd_layout}, {".nhdr", io_detail::nrrd_layout},
-                              {".mha", io_detail::meta_layout},  {".mhd", io_detail::meta_layout}};
+constexpr Format formats[] = {{".seg.nrrd", io_detail::nrrd_layout}, {".nii", io_detail::nifti_layout},
+                              {".nii.gz", io_detail::nifti_layout},  {".nrrd", io_detail::nrrd_layout},
+                              {".nhdr", io_detail::nrrd_layout},     {".mha", io_detail::meta_layout},
+                              {".mhd", io_detail::meta_layout}};
 
 // The format that the end of the name stands for; null if there is none.
 const Format* format_of(const std::filesystem::path& path) {
@@ -74,7 +75,7 @@ std::string label_map_stem(const std::filesystem::path& path) {
   return format ? name.substr(0, name.size() - std::string_view(format->extension).size()) : name;
 }
 
-LabelMap read_label_map(const std::filesystem::path& path) {
+std::vector<LabelMap> read_label_layers(const std::filesystem::path& path) {
   if (std::error_code failed; std::filesystem::is_regular_file(path, failed)) io_detail::refuse_foreign(path);
   const Format* format = format_of(path);
   if (!format) {
@@ -85,10 +86,9 @@ LabelMap read_label_map(const std::filesystem::path& path) {
   }
   const io_detail::VoxelLayout layout = format->layout(path);
   io_detail::check_layout(path, layout);
+  io_detail::VoxelLabels voxels = io_detail::read_voxels(path, layout);
   LabelMap map;
   for (std::size_t d = 0; d < 3; ++d) map.size[d] = static_cast<int>(layout.size[d]);
-  io_detail::VoxelLabels voxels = io_detail::read_voxels(path, layout);
-  map.labels = std::move(voxels.labels);
   for (const std::string& note : layout.notes) map.notes.emplace_back(note);
   // Single precision alone leaves about 1e-6, which is not worth a note.
   constexpr double worth_saying = 1e-5;
@@ -96,7 +96,25 @@ LabelMap read_label_map(const std::filesystem::path& path) {
   map.axes = layout.axes;
   map.origin = layout.origin;
   map.sha256 = sha256_of(path, layout.data_files);
-  return map;
+  std::vector<LabelMap> layers(layout.layers, map);
+  for (std::size_t l = 0; l < layers.size(); ++l) {
+    if (l < layout.names.size()) layers[l].names = layout.names[l];
+    if (layers.size() == 1)
+      layers[l].labels = std::move(voxels.labels);
+    else
+      for (std::size_t i = l; i < voxels.labels.size(); i += layers.size())
+        layers[l].labels.push_back(voxels.labels[i]);
+  }
+  return layers;
+}
+
+LabelMap read_label_map(const std::filesystem::path& path) {
+  std::vector<LabelMap> layers = read_label_layers(path);
+  if (layers.size() != 1)
+    io_detail::Source{path.string(), {}}.refuse(
+        "holds " + std::to_string(layers.size()) + " layers of segments",
+        "save the segments in one layer, without overlap");
+  return std::move(layers.front());
 }
 
 }  // namespace foramen

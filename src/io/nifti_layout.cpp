@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "io/segment_names.hpp"
 #include "io/voxel_layout.hpp"
 
 namespace foramen::io_detail {
@@ -187,6 +188,18 @@ class NiftiHeader {
   ByteOrder order_ = ByteOrder::little;
 };
 
+// What stands between the header and the voxels, without the four bytes that announce it; empty if there is
+// nothing, or more than a table of labels needs.
+std::string extensions_of(const std::filesystem::path& path, ByteStream::Packing packing,
+                          std::int64_t voxels_at) {
+  constexpr std::int64_t first = header_bytes + 4, longest = 1 << 20;
+  if (voxels_at <= first || voxels_at > longest) return {};
+  std::string bytes(voxels_at, '\0');
+  bytes.resize(ByteStream(path, 0, packing).read(bytes.data(), bytes.size()));
+  if (std::ssize(bytes) < voxels_at || bytes[header_bytes] == 0) return {};
+  return bytes.substr(first);
+}
+
 }  // namespace
 
 VoxelLayout nifti_layout(const std::filesystem::path& path) {
@@ -198,6 +211,8 @@ VoxelLayout nifti_layout(const std::filesystem::path& path) {
   header.resize(ByteStream(path, 0, whole.packing).read(header.data(), header.size()));
   const Source source{path.string(), header};
   VoxelLayout layout = NiftiHeader(source).layout();
+  layout.names = {
+      names_in_extensions(source, extensions_of(path, whole.packing, layout.skipped), layout.order)};
   layout.data_files = whole.data_files;
   layout.packing = whole.packing;
   return layout;

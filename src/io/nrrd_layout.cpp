@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/header_fields.hpp"
+#include "io/segment_names.hpp"
 #include "io/voxel_layout.hpp"
 
 namespace foramen::io_detail {
@@ -38,15 +39,21 @@ NumberType type_of(const Source& source, const std::string& written) {
   source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
 }
 
-// Reads the fields up to the blank line, to a list of data files, or to the end of a header whose data are in
-// another file.
-void parse_fields(const Source& source, LineCursor& lines, HeaderFields& fields) {
+// Reads the fields and the names of segments up to the blank line, to a list of data files, or to the end of a
+// header whose data are in another file.
+void parse_fields(const Source& source, LineCursor& lines, HeaderFields& fields, SegmentNames& segments) {
+  // 3D Slicer writes the parameters of a segmentation into one line of several thousand characters.
+  constexpr std::size_t longest = 100'000;
   if (!header_line(source, lines).starts_with("NRRD000"))
     source.refuse("does not begin with 'NRRD000'", "it is no NRRD file: check its format and extension");
   while (lines.remaining() > 0) {
-    const std::string_view line = header_line(source, lines);
+    const std::string_view line = header_line(source, lines, longest);
     if (line.empty()) return;
-    if (line.front() == '#' || line.find(":=") != std::string_view::npos) continue;
+    if (line.front() == '#') continue;
+    if (const auto assigned = line.find(":="); assigned != std::string_view::npos) {
+      segments.add(line.substr(0, assigned), line.substr(assigned + 2));
+      continue;
+    }
     const auto colon = line.find(": ");
     if (colon == std::string_view::npos)
       source.refuse(lines.place() + " of its header is " + in_quotes(line), remedy_export_again);
@@ -118,8 +125,9 @@ std::vector<std::optional<Vec3>> directions_of(const Source& source, const Heade
   return directions;
 }
 
-// Takes the three axes that have a direction. Further axes, without one, must have a single voxel.
-void set_axes(const Source& source, const HeaderFields& fields, VoxelLayout& layout) {
+// Takes the three axes that have a direction. Further axes, without one, must have a single voxel, except that the
+// first of four axes counts the layers of a segmentation.
+void set_axes(const Source& source, const HeaderFields& fields, bool has_segments, VoxelLayout& layout) {
   const std::int64_t dimensions = fields.integer("dimension");
   const auto refuse_dimensions = [&] {
     source.refuse(
@@ -142,11 +150,18 @@ void set_axes(const Source& source, const HeaderFields& fields, VoxelLayout& lay
       source.refuse("its header has " + in_quotes(fields.text("spacedirections")) +
                         " as spacedirections, not three directions",
                     remedy_export_again);
+    if (!placed && axis == 0 && dimensions == 4 && has_segments) {
+      layout.layers = sizes[axis];
+      continue;
+    }
     if (!placed || taken == 3) refuse_dimensions();
     layout.size[taken] = sizes[axis];
     layout.axes.col(static_cast<int>(taken++)) = signs.cwiseProduct(*directions[axis]);
   }
   if (taken != 3) refuse_dimensions();
+  constexpr std::int64_t most_layers = 1000;
+  if (layout.layers < 1 || layout.layers > most_layers)
+    source.refuse("its header announces " + std::to_string(layout.layers) + " layers", remedy_export_again);
   const auto origin = fields.numbers("spaceorigin", 3);
   for (int row = 0; row < 3; ++row) layout.origin[row] = signs[row] * origin[row];
 }
@@ -179,8 +194,10 @@ VoxelLayout nrrd_layout(const std::filesystem::path& path) {
   HeaderFields fields(source);
   VoxelLayout layout;
   LineCursor lines(source.bytes);
-  parse_fields(source, lines, fields);
-  set_axes(source, fields, layout);
+  SegmentNames segments;
+  parse_fields(source, lines, fields, segments);
+  set_axes(source, fields, !segments.empty(), layout);
+  layout.names = segments.by_layer(layout.layers);
   layout.type = type_of(source, fields.text("type"));
   layout.order = byte_order(source, fields, layout.type);
   require_millimetres(source, fields);

@@ -49,7 +49,9 @@ struct OddValues {
 class LabelReader {
  public:
   LabelReader(const Source& source, const VoxelLayout& layout)
-      : source_(source), layout_(layout), count_(layout.size[0] * layout.size[1] * layout.size[2]) {
+      : source_(source),
+        layout_(layout),
+        count_(layout.size[0] * layout.size[1] * layout.size[2] * layout.layers) {
     // Half a step of the scaling tells neighbouring labels apart; numbers without a step have been rounded
     // far less than 0.05.
     constexpr double most = 0.05, single_precision = 1e-5;  // the latter for values up to about 100

@@ -26,6 +26,11 @@ void check_size(const Source& source, const VoxelLayout& layout) {
                     "that is more than foramen can hold: the header is damaged, or crop the label map");
     voxels *= n;
   }
+  if (layout.layers > most_voxels / voxels)
+    source.refuse(
+        "its header announces " + std::to_string(layout.layers) + " layers of " + by(layout.size) + " voxels",
+        "that is more than foramen can hold: the header is damaged, or save fewer segments");
+  voxels *= layout.layers;
   // Deflate packs at most about 1032 bytes into one.
   constexpr std::int64_t densest = 1032;
   const std::int64_t files = std::ssize(layout.data_files);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,7 @@ struct NumberType {
 
 struct VoxelLayout {
   std::array<std::int64_t, 3> size{};  ///< voxels along i, j, k
+  std::int64_t layers = 1;             ///< labels at each voxel, stored side by side
   NumberType type;
   ByteOrder order = ByteOrder::little;
   double slope = 1, intercept = 0;  ///< label = slope * stored value + intercept
@@ -35,6 +37,8 @@ struct VoxelLayout {
   Mat3 axes = Mat3::Zero();        ///< columns: the step to the next voxel along i, j, k, LPS mm
   Vec3 origin = Vec3::Zero();      ///< centre of the first voxel, LPS mm
   std::vector<std::string> notes;  ///< what was amiss in the header and how it was taken
+  /// What the header calls the labels of each layer: empty, or one map a layer.
+  std::vector<std::map<int, std::string>> names = {};
 };
 
 /// Each function throws IoError for a header that is damaged or that states something foramen does not read:
@@ -61,7 +65,7 @@ std::int64_t data_offset(const VoxelLayout& layout, const std::filesystem::path&
 void check_layout(const std::filesystem::path& path, const VoxelLayout& layout);
 
 struct VoxelLabels {
-  std::vector<std::uint16_t> labels;
+  std::vector<std::uint16_t> labels;  ///< with the layers of a voxel side by side
   double farthest_rounded = 0;  ///< the largest distance of a value from the label that it was taken for
 };
 

@@ -1,7 +1,5 @@
 #include "modelfiles/corresponding_folder.hpp"
 
-#include <algorithm>
-
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/read_cohort.hpp"
@@ -12,19 +10,19 @@ namespace foramen {
 CorrespondingFolder read_corresponding(const std::filesystem::path& folder, const InputUnit& unit) {
   CorrespondingFolder result;
   SizeCheck sizes(unit);
-  for (const auto& file : find_meshes({folder})) {
-    MeshFile read = read_mesh(file);
+  for (const ShapeFile& file : find_meshes({folder}).files) {
+    MeshFile read = read_mesh(file.path);
     if (result.names.empty()) {
       result.triangles = read.soup.triangles;
     } else if (read.soup.triangles != result.triangles ||
                read.soup.points.size() != result.shapes.front().size()) {
-      throw InvalidInput(file.string() + ": has other triangles or another number of vertices than " +
+      throw InvalidInput(file.path.string() + ": has other triangles or another number of vertices than " +
                          result.names.front() +
                          "; corresponding meshes must have the same triangles in the same order");
     }
     for (Vec3& p : read.soup.points) p *= millimetres_per(unit.length);
-    sizes.add(file.string(), read.soup.points);
-    result.names.push_back(mesh_stem(file));
+    sizes.add(file.path.string(), read.soup.points);
+    result.names.push_back(file.name);
     result.shapes.push_back(std::move(read.soup.points));
     result.spaces.push_back(read.space.value_or(AnatomicalSpace::lps));
   }
@@ -35,14 +33,15 @@ CorrespondingFolder read_corresponding(const std::filesystem::path& folder, cons
 TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names,
                               const InputUnit& unit) {
   CorrespondingFolder all = read_corresponding(folder, unit);
+  const std::vector<ShapeFile> files = find_meshes({folder}).files;  // in the order of the shapes
   TrueCorrespondence truth;
   truth.triangles = std::move(all.triangles);
   for (const std::string& name : names) {
-    const auto found = std::find(all.names.begin(), all.names.end(), name);
-    if (found == all.names.end())
+    const ShapeFile* found = file_named(files, name);
+    if (found == nullptr)
       throw InvalidInput(folder.string() + ": there is no true correspondence for the shape " + name +
                          "; its file must have this name");
-    truth.shapes.push_back(all.shapes[found - all.names.begin()]);
+    truth.shapes.push_back(all.shapes[found - files.data()]);
   }
   return truth;
 }

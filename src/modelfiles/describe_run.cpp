@@ -75,7 +75,9 @@ std::vector<RunInput> inputs_of(const BuildRecord& record) {
                       .vertices = input.mesh.vertex_count(),
                       .triangles = input.mesh.face_count(),
                       .label = input.label});
-    if (input.label) inputs.back().extraction = input.extraction;
+    if (!input.label) continue;
+    inputs.back().names_from = input.names_from;
+    inputs.back().extraction = input.extraction;
   }
   for (const LeftOut& shape : record.left_out)
     inputs.push_back({.file = shape.file_name, .sha256 = shape.sha256, .label = shape.label});

@@ -11,6 +11,7 @@ ordered_json extraction_json(const ExtractionReport& report) { return json_of(re
 
 ordered_json label_options_json(const LabelRequest& request) {
   ordered_json out = {{"labels", request.labels ? ordered_json(request.labels->text()) : ordered_json()}};
+  out["numbering"] = request.numbering ? ordered_json(word_of(*request.numbering)) : ordered_json();
   out.update(described_json(request.surface));
   return out;
 }

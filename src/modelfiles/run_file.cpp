@@ -17,6 +17,7 @@ void list_fields(Fields& fields, MaybeConst<RunInput> auto& input) {
   fields.if_there("vertices", input.vertices);
   fields.if_there("triangles", input.triangles);
   fields.if_there("label", input.label);
+  fields.if_there("names_from", input.names_from);
   fields.if_there("extraction", input.extraction);
 }
 

@@ -43,6 +43,8 @@ struct RunInput {
   std::string file = {}, sha256 = {};
   std::optional<int> vertices = std::nullopt, triangles = std::nullopt;  ///< unset: the shape was left out
   std::optional<int> label = std::nullopt;                               ///< of a label map
+  /// How the label got its name: "verse, assumed", "the names in the file" ... Unset as the label.
+  std::optional<std::string> names_from = std::nullopt;
   /// Of a label whose surface is used. run.json has no means of its deviations; they are 0 when read.
   std::optional<ExtractionReport> extraction = std::nullopt;
 };

@@ -1,6 +1,5 @@
 #include "workflow/evaluate_folder.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "findings/model_report.hpp"
@@ -20,18 +19,17 @@ namespace fs = std::filesystem;
 
 std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<std::string>& names,
                                     const InputUnit& unit) {
-  const auto files = find_meshes({folder});
+  const auto files = find_meshes({folder}).files;
   std::vector<Mesh> surfaces;
   SizeCheck sizes(unit);
   for (const std::string& name : names) {
-    const auto file =
-        std::find_if(files.begin(), files.end(), [&](const fs::path& f) { return mesh_stem(f) == name; });
-    if (file == files.end())
+    const ShapeFile* file = file_named(files, name);
+    if (file == nullptr)
       throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name +
                          "; its file must have this name");
-    TriangleSoup soup = read_mesh(*file).soup;
+    TriangleSoup soup = read_mesh(file->path).soup;
     for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
-    sizes.add(file->string(), soup.points);
+    sizes.add(file->path.string(), soup.points);
     surfaces.push_back(build_mesh(std::move(soup)));
   }
   return surfaces;

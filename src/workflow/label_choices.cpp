@@ -9,8 +9,8 @@ std::optional<LabelRequest> label_request(const LabelChoices& choices) {
   if (choices.numbering && choices.names_file)
     throw InvalidInput("numbering has no effect beside label_names; leave one of them out");
   LabelRequest request;
-  request.names = choices.names_file ? read_label_names(*choices.names_file)
-                                     : label_names(choices.numbering.value_or(LabelNumbering::verse));
+  request.numbering = choices.numbering;
+  if (choices.names_file) request.names = read_label_names(*choices.names_file);
   request.surface.keep_cut = choices.keep_cut;
   if (choices.labels) request.labels = LabelSelection::parse(*choices.labels);
   return request;

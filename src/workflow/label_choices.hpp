@@ -10,14 +10,8 @@
 
 namespace foramen {
 
-template <>
-struct EnumWords<LabelNumbering> {
-  static constexpr std::pair<std::string_view, LabelNumbering> all[] = {
-      {"verse", LabelNumbering::verse}, {"totalsegmentator", LabelNumbering::totalsegmentator}};
-};
-
 struct LabelChoices {
-  std::optional<LabelNumbering> numbering = std::nullopt;  ///< unset: verse
+  std::optional<LabelNumbering> numbering = std::nullopt;  ///< unset: see LabelRequest
   std::optional<std::string> labels = std::nullopt;        ///< see LabelSelection::parse()
   std::optional<std::string> names_file = std::nullopt;    ///< see read_label_names()
   bool keep_cut = false;

@@ -33,15 +33,16 @@ Measurer measurer_of(const ShapeModel& model, const MeasureDefinitions& definiti
 
 MeasuredFiles measure_files(const Measurer& measurer, const std::vector<std::filesystem::path>& inputs,
                             const InputUnit& unit, const RunContext& ctx) {
-  const auto files = find_meshes(inputs);
+  const FoundFiles found = find_meshes(inputs);
   MeasuredFiles all;
+  all.notes = found.notes;
   SizeCheck sizes(unit);
-  for (const auto& file : files) {
-    ctx.step("measure", static_cast<double>(all.shapes.size()) / static_cast<double>(files.size()));
-    TriangleSoup soup = read_mesh(file).soup;
+  for (const ShapeFile& file : found.files) {
+    ctx.step("measure", static_cast<double>(all.shapes.size()) / static_cast<double>(found.files.size()));
+    TriangleSoup soup = read_mesh(file.path).soup;
     for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
-    sizes.add(file.string(), soup.points);
-    all.shapes.push_back({mesh_stem(file), measured(measurer, std::move(soup), file)});
+    sizes.add(file.path.string(), soup.points);
+    all.shapes.push_back({file.name, measured(measurer, std::move(soup), file.path)});
   }
   if (const auto note = sizes.note()) all.notes.push_back(*note);
   return all;

@@ -27,10 +27,12 @@ struct Projected {
   Projection projection;
 };
 
-Projected projected(const fs::path& file, const ProjectRequest& request, const SurfaceProjector& projector,
+Projected projected(const ShapeFile& file, const ProjectRequest& request, const SurfaceProjector& projector,
                     const RunContext& ctx) {
   Projected result;
-  result.input = read_shape(file, request.unit);
+  result.input = read_shape(file.path, request.unit);
+  result.input.stem = file.name;
+  result.input.file_name = file.shown();
   std::vector<std::string> left_out = request.leave_out;
   const auto& names = projector.model().names;
   if (left_out.empty() && std::find(names.begin(), names.end(), result.input.stem) != names.end())
@@ -94,7 +96,7 @@ void write_projected_scores(const fs::path& path, const std::vector<Projected>& 
 }
 
 // Every surface by itself: one that fails does not stop the others.
-std::vector<Projected> all_projected(const std::vector<fs::path>& files, const ProjectRequest& request,
+std::vector<Projected> all_projected(const std::vector<ShapeFile>& files, const ProjectRequest& request,
                                      const SurfaceProjector& projector, const RunContext& ctx) {
   std::vector<Projected> all(files.size());
   std::atomic<int> done{0};
@@ -105,9 +107,9 @@ std::vector<Projected> all_projected(const std::vector<fs::path>& files, const P
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
-      all[k].input.stem = mesh_stem(files[k]);
-      all[k].input.file_name = files[k].filename().string();
-      all[k].failure = reason_without_name(e, files[k]);
+      all[k].input.stem = files[k].name;
+      all[k].input.file_name = files[k].shown();
+      all[k].failure = reason_without_name(e, files[k].path);
     }
     ctx.step("project", static_cast<double>(++done) / static_cast<double>(files.size()));
   });
@@ -117,13 +119,14 @@ std::vector<Projected> all_projected(const std::vector<fs::path>& files, const P
 }  // namespace
 
 ProjectSummary project_files(const ProjectRequest& request, const RunContext& ctx) {
-  const std::vector<fs::path> files = find_meshes(request.surfaces);
+  const auto [files, search_notes] = find_meshes(request.surfaces);
   ctx.step("model", 0);
   const SurfaceProjector projector(read_usable_model(request.model), ctx);
   if (!request.leave_out.empty()) projector.without(request.leave_out);  // refused before the work begins
   for (const char* folder : {"corresponding", "fit", "residual"}) make_folder(request.output / folder);
   const std::vector<Projected> all = all_projected(files, request, projector, ctx);
   ProjectSummary summary;
+  summary.notes = search_notes;
   ordered_json records = ordered_json::array();
   for (const Projected& p : all) {
     records.push_back(projected_json(p));

@@ -68,10 +68,13 @@ void remove_stale_files(const fs::path& folder, const std::vector<InputShape>& i
   remove_stale(folder / "modes", {});
 }
 
+// By the pattern, else the folders that tell the files apart. Empty: the subjects are not known.
 std::vector<std::string> subjects_of(const std::vector<InputShape>& inputs, const std::string& pattern) {
   std::vector<std::string> subjects;
-  if (pattern.empty()) return subjects;
-  for (const InputShape& input : inputs) subjects.push_back(subject_of(input.stem, pattern));
+  for (const InputShape& input : inputs) {
+    if (pattern.empty() && input.folder.empty()) return {};
+    subjects.push_back(pattern.empty() ? input.folder : subject_of(input.stem, pattern));
+  }
   return subjects;
 }
 
@@ -133,8 +136,9 @@ std::vector<Message> notes_on(const BuildRecord& record, const Evaluation& evalu
 BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   const auto start = std::chrono::steady_clock::now();
   if (!request.subject_pattern.empty()) subject_of("", request.subject_pattern);
-  const auto files = find_shape_files(request.inputs);
-  if (request.labels && std::none_of(files.begin(), files.end(), is_label_map))
+  const auto [files, search_notes] = find_shape_files(request.inputs);
+  if (request.labels &&
+      std::none_of(files.begin(), files.end(), [](const ShapeFile& file) { return is_label_map(file.path); }))
     throw InvalidInput("there is no label map among the inputs: leave out the options for label maps");
   prepare_folder(request.output);
   const FolderLock lock(request.output);
@@ -143,6 +147,7 @@ BuildSummary run_build(const BuildRequest& request, const RunContext& ctx) {
   ctx.step("read", 0);
   Cohort read =
       read_cohort(files, request.unit, ctx, request.labels.value_or(LabelRequest{}), request.repair);
+  read.notes.insert(read.notes.begin(), search_notes.begin(), search_notes.end());
   const RunContext keeping = ctx.with_store(store);
   const BuildRecord record = build_from(std::move(read), request.build, keeping);
 

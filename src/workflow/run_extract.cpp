@@ -8,6 +8,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
+#include "inputs/label_map_notes.hpp"
 #include "inputs/surface_size.hpp"
 #include "io/atomic_file.hpp"
 #include "modelfiles/extraction_record.hpp"
@@ -76,7 +77,7 @@ Finished finish(const LabelSurface& label, const std::optional<RepairOptions>& r
 }
 
 struct ReadLabelMap {
-  fs::path file;
+  ShapeFile file;
   LabelSurfaces labels;
 };
 
@@ -84,24 +85,24 @@ struct ReadLabelMap {
 std::vector<ReadLabelMap> read_all(const ExtractRequest& request, const RunContext& ctx,
                                    ExtractSummary& summary) {
   std::vector<ReadLabelMap> all;
-  const auto files = find_label_maps(request.inputs);
+  const auto [files, search_notes] = find_label_maps(request.inputs);
+  summary.notes = search_notes;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    ctx.step("extract", static_cast<double>(i) / static_cast<double>(files.size()),
-             files[i].filename().string());
+    ctx.step("extract", static_cast<double>(i) / static_cast<double>(files.size()), files[i].shown());
     try {
-      all.push_back({files[i], extract_labels(files[i], request.labels, ctx)});
+      all.push_back({files[i], extract_labels(files[i].label_map(), request.labels, ctx)});
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& e) {
       if (files.size() == 1) throw;
       summary.left_out.push_back(
-          {label_map_stem(files[i]), files[i].filename().string(), {}, reason_without_name(e, files[i])});
+          {files[i].name, files[i].shown(), {}, reason_without_name(e, files[i].path)});
       continue;
     }
     for (const RefusedLabel& refused : all.back().labels.refused)
       if (refused.absent)
         throw InvalidInput(
-            refused.reason.about(files[i].string() + ": label " + std::to_string(refused.label)));
+            refused.reason.about(files[i].path.string() + ": label " + std::to_string(refused.label)));
   }
   return all;
 }
@@ -113,8 +114,10 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
   const auto all = read_all(request, ctx, summary);
   ordered_json files = ordered_json::array();
   std::vector<Finished> surfaces;
+  LabelMapNotes common;
   for (const ReadLabelMap& map : all) {
-    const std::string name = map.file.filename().string();
+    const std::string name = map.file.shown();
+    common.add(map.file.path, map.labels);
     ordered_json written = ordered_json::array(), refused_labels = ordered_json::array();
     summary.notes.insert(summary.notes.end(), map.labels.notes.begin(), map.labels.notes.end());
     for (const RefusedLabel& refused : map.labels.refused) {
@@ -128,13 +131,20 @@ ExtractSummary run_extract(const ExtractRequest& request, const RunContext& ctx)
       surfaces.push_back(finish(label, request.repair, ctx, summary.notes));
       written.push_back(surfaces.back().record);
     }
-    files.push_back(
-        {{"file", name}, {"sha256", map.labels.sha256}, {"surfaces", written}, {"refused", refused_labels}});
+    files.push_back({{"file", name},
+                     {"sha256", map.labels.sha256},
+                     {"names_from", map.labels.names_from},
+                     {"surfaces", written},
+                     {"refused", refused_labels}});
+    if (map.labels.passed_over) files.back()["passed_over"] = *map.labels.passed_over;
   }
+  const auto notes = common.messages();
+  summary.notes.insert(summary.notes.end(), notes.begin(), notes.end());
   if (surfaces.empty()) {
     Message message(std::string("no label could be extracted"));
     for (const LeftOut& out : summary.left_out)
       message.append(out.reason.about("\n  left out " + source_of(out)));
+    for (const Message& note : common.on_passed_over()) message.append({"\n  " + note.text, note.remedies});
     throw InvalidInput(message);
   }
 

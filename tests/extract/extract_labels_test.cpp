@@ -59,6 +59,16 @@ TEST(LabelNames, BuiltInNumberings) {
                                     {44, "C7"},
                                     {50, "C1"}})
     EXPECT_EQ(name_of(total, label), name);
+  const LabelNames& first = label_names(LabelNumbering::totalsegmentator_v1);
+  EXPECT_EQ(first.size(), 25u);
+  for (const auto& [label, name] :
+       {std::pair{18, "L5"}, {22, "L1"}, {23, "T12"}, {34, "T1"}, {35, "C7"}, {41, "C1"}, {92, "sacrum"}})
+    EXPECT_EQ(name_of(first, label), name);
+  const LabelNames& spine = label_names(LabelNumbering::totalspineseg);
+  EXPECT_EQ(spine.size(), 25u);
+  for (const auto& [label, name] :
+       {std::pair{11, "C1"}, {17, "C7"}, {21, "T1"}, {32, "T12"}, {41, "L1"}, {45, "L5"}, {50, "sacrum"}})
+    EXPECT_EQ(name_of(spine, label), name);
   EXPECT_EQ(name_of(verse, 37), "label37");
 }
 
@@ -135,7 +145,7 @@ TEST_F(ExtractLabels, NothingWantedIsRefusedWithWhatThereIs) {
 
 TEST_F(ExtractLabels, EqualStemsAreRefused) {
   LabelRequest both = request("3-4");
-  both.names = {{3, "label4"}};
+  both.names = LabelNames{{3, "label4"}};
   EXPECT_THAT(refusal([&] { extract_labels(file({3, 4}), both, ctx_); }), says("spine_label4"));
 }
 

@@ -29,10 +29,10 @@ using testing::torus_soup;
 TEST(FindMeshes, FilesAndFoldersInOrderOfStem) {
   const TemporaryFolder folder;
   for (const char* name : {"b.ply", "a.PLY", "notes.txt"}) folder.file(name, "");
-  const auto found = find_meshes({folder.path(), folder.path() / "b.ply"});
+  const auto found = find_meshes({folder.path(), folder.path() / "b.ply"}).files;
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_EQ(found[0].filename(), "a.PLY");
-  EXPECT_EQ(found[1].filename(), "b.ply");
+  EXPECT_EQ(found[0].path.filename(), "a.PLY");
+  EXPECT_EQ(found[1].path.filename(), "b.ply");
 }
 
 TEST(FindMeshes, RefusesWhatIsMissingEmptyOrAmbiguous) {
@@ -60,7 +60,7 @@ TEST(ReadCohort, PackedMeshesAndNotesOnHowTheyWereRead) {
   write_ply(folder.file("other.ply"), other);
   folder.file("tail.ply.gz", packed(bytes_of(folder.file("other.ply")) + "tail"));
   std::filesystem::remove(folder.file("other.ply"));
-  const Cohort cohort = read_cohort(find_meshes({folder.path()}), LengthUnit::millimetre, RunContext(1));
+  const Cohort cohort = read_cohort(find_meshes({folder.path()}).files, LengthUnit::millimetre, RunContext(1));
   ASSERT_EQ(cohort.shapes.size(), 2u);
   EXPECT_EQ(cohort.shapes[1].stem, "tail");
   ASSERT_EQ(cohort.notes.size(), 1u);
@@ -97,7 +97,8 @@ TEST(ReadCohort, OneBadFileIsLeftOutWithItsReason) {
   open.triangles.pop_back();
   write_ply(folder.file("open.ply"), open);
   folder.file("torn.ply", "ply\nformat ascii 1.0\n");
-  const Cohort cohort = read_cohort(find_meshes({folder.path()}), LengthUnit::millimetre, RunContext(2));
+  const Cohort cohort =
+      read_cohort(find_meshes({folder.path()}).files, LengthUnit::millimetre, RunContext(2));
   ASSERT_EQ(cohort.shapes.size(), 1u);
   ASSERT_EQ(cohort.left_out.size(), 2u);
   EXPECT_EQ(cohort.left_out[0].file_name, "open.ply");
@@ -125,7 +126,7 @@ TEST(ReadCohort, WhatTheAuditRefusesIsRepairedOnRequest) {
   cut_off.triangles.resize(cut_off.triangles.size() / 2);
   write_ply(folder.file("cut_off.ply"), cut_off);
   folder.file("torn.ply", "ply\nformat ascii 1.0\n");
-  const auto files = find_meshes({folder.path()});
+  const auto files = find_meshes({folder.path()}).files;
   EXPECT_EQ(read_cohort(files, LengthUnit::millimetre, RunContext(2)).shapes.size(), 1u);
   const Cohort cohort = read_cohort(files, LengthUnit::millimetre, RunContext(2), {}, RepairOptions());
   ASSERT_EQ(cohort.shapes.size(), 2u);
@@ -165,7 +166,7 @@ TEST(RepairSurface, TakesUnitsAndRefusesWrongOnes) {
 
 TEST(ReadCohort, RealDataDefectiveVertebraeAreUsedWhenRepaired) {
   FORAMEN_NEEDS_REAL_DATA();
-  const auto files = find_meshes({testing::data_dir() / "defective"});
+  const auto files = find_meshes({testing::data_dir() / "defective"}).files;
   EXPECT_EQ(read_cohort(files, LengthUnit::millimetre, RunContext(2)).left_out.size(), 5u);
   const Cohort cohort = read_cohort(files, LengthUnit::millimetre, RunContext(2), {}, RepairOptions());
   EXPECT_TRUE(cohort.left_out.empty());

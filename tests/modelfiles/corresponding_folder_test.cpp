@@ -77,6 +77,18 @@ TEST_F(FolderOfThree, TheTruthComesInTheOrderAskedForAndMayHaveMore) {
   EXPECT_EQ(truth.triangles, testing::torus_soup(8, 6).triangles);
 }
 
+TEST_F(FolderOfThree, TheTruthOfFoldersIsFoundByTheirNames) {
+  for (const char* patient : {"p1", "p2"}) {
+    std::filesystem::create_directory(path() / patient);
+    std::filesystem::copy_file(path() / (patient[1] == '1' ? "a.ply" : "c.ply"), path() / patient / "L1.ply");
+  }
+  const TrueCorrespondence truth = read_truth(path(), {"p2_L1", "p1_L1"});
+  EXPECT_EQ(truth.shapes.at(0).at(0), Vec3(84, 0, 0));
+  EXPECT_EQ(truth.shapes.at(1).at(0), Vec3(28, 0, 0));
+  std::filesystem::remove_all(path() / "p2");
+  EXPECT_EQ(read_truth(path(), {"p1_L1"}).shapes.at(0).at(0), Vec3(28, 0, 0)) << "a part of the cohort";
+}
+
 TEST_F(FolderOfThree, AShapeWithoutTruthIsNamed) {
   EXPECT_THAT(refusal_of([&] { read_truth(path(), {"a", "nobody"}); }), HasSubstr("the shape nobody"));
 }

@@ -20,7 +20,8 @@ RunRecord recorded_run() {
   extraction.contact = EdgeContact::apart;
   extraction.cut_at = {"left"};
   extraction.deviation_mm.p95 = 0.25;
-  run.inputs = {{"a.nii", "00", 10, 20, 21, extraction}, {.file = "b.ply", .sha256 = "01", .vertices = 7}};
+  run.inputs = {{"a.nii", "00", 10, 20, 21, "verse, assumed", extraction},
+                {.file = "b.ply", .sha256 = "01", .vertices = 7}};
   run.reference = "a";
   run.template_motion_mm = {0.1, 0.2};
   run.landmarks = 4;
@@ -70,6 +71,7 @@ TEST(RunFile, ComesBackAsItWasWritten) {
   EXPECT_EQ(run.options.objective(), std::nullopt);
   ASSERT_EQ(run.inputs.size(), 2u);
   EXPECT_EQ(run.inputs[0].extraction->contact, EdgeContact::apart);
+  EXPECT_EQ(run.inputs[0].names_from, "verse, assumed");
   EXPECT_EQ(run.inputs[0].extraction->deviation_mm.p95, 0.25);
   EXPECT_EQ(run.inputs[1].triangles, std::nullopt);
   ASSERT_EQ(run.shapes.size(), 3u);

@@ -56,7 +56,7 @@ class LabelCohort : public ::testing::Test {
 TEST_F(LabelCohort, LabelsAndMeshesTogetherInOrderOfStem) {
   write_ply(folder_.file("spine.ply"), torus_soup(24, 12));
   write_ply(folder_.file("zebra.ply"), torus_soup(24, 12));
-  const auto files = find_shape_files({folder_.path()});
+  const auto files = find_shape_files({folder_.path()}).files;
   ASSERT_EQ(files.size(), 3u);
   const Cohort cohort = read_cohort(files, LengthUnit::centimetre, ctx_);
   EXPECT_THAT(stems(cohort.shapes), ElementsAre("spine_L1")) << "the unit is that of the meshes alone";
@@ -78,7 +78,7 @@ TEST_F(LabelCohort, AFolderOfNeitherIsRefusedWithWhatWasLookedFor) {
 
 TEST_F(LabelCohort, EqualStemsAreRefused) {
   write_ply(folder_.file("spine_L1.ply"), torus_soup(24, 12));
-  const auto files = find_shape_files({folder_.path()});
+  const auto files = find_shape_files({folder_.path()}).files;
   EXPECT_THAT(refusal([&] { read_cohort(files, LengthUnit::millimetre, ctx_); }),
               says("would both be named spine_L1"));
   folder_.file("spine.nrrd", "");
@@ -90,7 +90,7 @@ TEST_F(LabelCohort, ASingleLabelMayBeMissingInOneMapButNotInAll) {
       "second.nii.gz",
       packed(nifti_bytes(labelled_lattice({30, 30, 12}, Vec3(2, 2, 2).asDiagonal(),
                                           [](const Vec3& p) { return bumpy_torus(p) < 0 ? 23 : 0; }))));
-  const auto files = find_shape_files({folder_.path()});
+  const auto files = find_shape_files({folder_.path()}).files;
   const auto read = [&](const char* labels) {
     return read_cohort(files, LengthUnit::millimetre, ctx_, {.labels = LabelSelection::parse(labels)});
   };
@@ -103,7 +103,7 @@ TEST_F(LabelCohort, ASingleLabelMayBeMissingInOneMapButNotInAll) {
 
 TEST_F(LabelCohort, AnUnreadableLabelMapIsLeftOutWhole) {
   folder_.file("torn.nii.gz", packed(nifti_bytes(three_labels())).substr(0, 200));
-  const Cohort cohort = read_cohort(find_shape_files({folder_.path()}), LengthUnit::millimetre, ctx_);
+  const Cohort cohort = read_cohort(find_shape_files({folder_.path()}).files, LengthUnit::millimetre, ctx_);
   EXPECT_EQ(cohort.shapes.size(), 1u);
   EXPECT_THAT(stems(cohort.left_out), Contains("torn"));
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct LabelMap {
   /// Of the file's bytes; if header and data are several files, of the header followed by the data.
   std::string sha256;
   std::vector<Message> notes;  ///< what was amiss in the file and how it was taken; mostly empty
+  /// What the file itself calls its labels, e.g. "L1 vertebra"; empty if it names none.
+  std::map<int, std::string> names = {};
 
   std::uint16_t at(int i, int j, int k) const {
     return labels[(static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
@@ -33,7 +36,7 @@ struct LabelMap {
 
 /// Whether the file name ends with one of label_map_extensions(), in upper or lower case.
 bool is_label_map(const std::filesystem::path& path);
-/// .nii .nii.gz .nrrd .nhdr .mha .mhd
+/// .seg.nrrd .nii .nii.gz .nrrd .nhdr .mha .mhd
 const std::vector<std::string>& label_map_extensions();
 /// The file name without its label-map extension.
 std::string label_map_stem(const std::filesystem::path& path);
@@ -50,6 +53,15 @@ std::string label_map_stem(const std::filesystem::path& path);
 /// holds, a truncated or damaged file, another kind of file, a number of dimensions other than three, colours
 /// or vectors, axes that are not at right angles, no orientation, or values that are no labels (fractions and
 /// negative numbers, as in a grey-value image).
+///
+/// Names of labels come from the segments of 3D Slicer (.seg.nrrd) and from a table of labels in a header
+/// extension of NIfTI, as TotalSegmentator and Connectome Workbench write it. An extension that cannot be
+/// read names nothing.
 LabelMap read_label_map(const std::filesystem::path& path);
+
+/// As read_label_map(), but also reads the layers in which 3D Slicer saves segments that overlap (NRRD of
+/// four dimensions). Each layer is a label map of its own, with the names of its own segments, and two layers
+/// may use the same label for different segments. All other files have one layer.
+std::vector<LabelMap> read_label_layers(const std::filesystem::path& path);
 
 }  // namespace foramen

@@ -101,7 +101,7 @@ TEST_F(BadPlaces, InputsThatAreTooFewOrTheSame) {
   for (const fs::path& folder : {twins, elsewhere}) fs::create_directories(folder);
   for (const char* name : {"a.ply", "b.ply", "c.ply"}) fs::copy_file(shape(1), twins / name);
   fs::copy_file(shape(1), elsewhere / "synth001.ply");
-  std::ofstream(elsewhere / "synth002.stl") << "x";
+  std::ofstream(elsewhere / "synth001.stl") << "x";
   const fs::path model = scratch("m");
   expect_refused(quick(shape(1), model), "at least 3 usable shapes, found 1");
   expect_refused(quick(shape(1) + " " + shape(2), model), "at least 3 usable shapes, found 2");
@@ -111,8 +111,8 @@ TEST_F(BadPlaces, InputsThatAreTooFewOrTheSame) {
   expect_refused(quick(twins.string(), model), "left out c.ply: the same surface as a.ply");
   expect_refused(quick(shapes().string() + " " + elsewhere.string(), model),
                  "have the same name without extension");
-  expect_refused(quick(shape(2) + " " + (elsewhere / "synth002.stl").string(), model),
-                 "have the same name without extension");
+  expect_refused(quick(shape(1) + " " + (elsewhere / "synth001.ply").string(), model),
+                 "elsewhere_synth001.ply");
 }
 
 TEST_F(BadPlaces, CopiesInOtherPosesLeaveNothingToModel) {
