@@ -20,8 +20,8 @@ struct LabelMapFile {
 
   std::filesystem::path path;
   std::string stem;  ///< the file name without extension
-  /// The same if the file is the mask of one vertebra: what its name holds besides the level, or, if this is
-  /// nothing, the patient's folder: s0001 for s0001/segmentations/vertebrae_L1.nii.gz.
+  /// The same if the file is the mask of one vertebra: what its name holds besides the level, or, if this
+  /// is nothing, the patient's folder: s0001 for s0001/segmentations/vertebrae_L1.nii.gz.
   std::string mask_stem;
 };
 
@@ -57,10 +57,11 @@ struct LabelSurfaces {
   std::optional<std::string> passed_over = std::nullopt;
 };
 
-/// Reads the label map, each layer of it, and extracts the surfaces of its labels in parallel. A wanted label that is absent is
-/// refused if it was named singly; if it belongs to a range, a note is made. The mask of one vertebra, see
-/// NameSource::file_name, is wanted if its own label or the number of its level is. Throws IoError as
-/// read_label_layers() does, and InvalidInput if the map contains none of the wanted labels.
+/// Reads the label map, each layer of it, and extracts the surfaces of its labels in parallel. A wanted
+/// label that is absent is refused if it was named singly; if it belongs to a range, a note is made. The
+/// mask of one vertebra, see NameSource::file_name, is wanted if its own label or the number of its level
+/// is. Throws IoError as read_label_layers() does, and InvalidInput if the map contains none of the wanted
+/// labels.
 LabelSurfaces extract_labels(const LabelMapFile& file, const LabelRequest& request, const RunContext& ctx);
 
 }  // namespace foramen

@@ -14,7 +14,8 @@ const Remedy say_what_they_are{RemedyKind::name_labels};
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
-// The names that the file gives to labels which are there: the vertebrae, or everything if no name is a level.
+// The names that the file gives to labels which are there: the vertebrae, or everything if no name is a
+// level.
 LabelNames names_in_file(const LabelMap& layer, const std::map<int, LabelExtent>& present) {
   LabelNames levels, all;
   for (const auto& [label, name] : layer.names) {

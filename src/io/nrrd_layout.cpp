@@ -39,8 +39,8 @@ NumberType type_of(const Source& source, const std::string& written) {
   source.refuse("its voxels are of type " + in_quotes(written), "a label map holds one whole number a voxel");
 }
 
-// Reads the fields and the names of segments up to the blank line, to a list of data files, or to the end of a
-// header whose data are in another file.
+// Reads the fields and the names of segments up to the blank line, to a list of data files, or to the end
+// of a header whose data are in another file.
 void parse_fields(const Source& source, LineCursor& lines, HeaderFields& fields, SegmentNames& segments) {
   // 3D Slicer writes the parameters of a segmentation into one line of several thousand characters.
   constexpr std::size_t longest = 100'000;
@@ -125,8 +125,8 @@ std::vector<std::optional<Vec3>> directions_of(const Source& source, const Heade
   return directions;
 }
 
-// Takes the three axes that have a direction. Further axes, without one, must have a single voxel, except that the
-// first of four axes counts the layers of a segmentation.
+// Takes the three axes that have a direction. Further axes, without one, must have a single voxel, except
+// that the first of four axes counts the layers of a segmentation.
 void set_axes(const Source& source, const HeaderFields& fields, bool has_segments, VoxelLayout& layout) {
   const std::int64_t dimensions = fields.integer("dimension");
   const auto refuse_dimensions = [&] {
