@@ -10,6 +10,7 @@
 #include "foramen/synth/synth_cohort.hpp"
 #include "modelfiles/mesh_report_json.hpp"
 #include "modelfiles/repair_record.hpp"
+#include "remedy_words.hpp"
 
 namespace foramen::python {
 namespace {
@@ -20,6 +21,8 @@ py::tuple read(const std::string& path) {
     const py::gil_scoped_release unlocked;
     file = read_mesh(path);
   }
+  for (Message& note : file.notes) note = note.about(path);
+  warn(file.notes);
   return py::make_tuple(points_array(file.soup.points), triangles_array(file.soup.triangles),
                         file.space ? py::object(py::str(name_of(*file.space))) : py::object(py::none()));
 }

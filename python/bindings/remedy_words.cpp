@@ -1,5 +1,7 @@
 #include "remedy_words.hpp"
 
+#include <pybind11/pybind11.h>
+
 #include "foramen/core/error.hpp"
 
 namespace foramen::python {
@@ -52,5 +54,12 @@ std::string keyword_for(const Remedy& remedy) {
 }  // namespace
 
 std::string worded(const Message& message) { return foramen::worded(message, keyword_for); }
+
+void warn(const std::vector<Message>& notes) {
+  constexpr int callers_caller = 2;  // the line that called the function of the package
+  for (const Message& note : notes)
+    if (PyErr_WarnEx(PyExc_UserWarning, worded(note).c_str(), callers_caller) != 0)
+      throw pybind11::error_already_set();
+}
 
 }  // namespace foramen::python

@@ -137,9 +137,10 @@ std::string build_folder(const std::vector<std::string>& inputs, const std::stri
   add_repair(command, request.repair, limits);
   if (refit) command.add_flag("refit");
   request.canonical_command = command.text();
-  std::string json;
-  run_unlocked(threads, progress, [&](const RunContext& ctx) { json = run_build(request, ctx).json; });
-  return json;
+  BuildSummary summary;
+  run_unlocked(threads, progress, [&](const RunContext& ctx) { summary = run_build(request, ctx); });
+  warn(summary.notes);
+  return summary.json;
 }
 
 std::string extract_folder(const std::vector<std::string>& inputs, const std::string& output,
@@ -174,9 +175,10 @@ std::string evaluate_files(const std::string& corresponding, const std::string& 
   request.unit = unit_named(units);
   request.subject_pattern = subject_regex;
   set_options(request.options, options, "evaluate");
-  std::string json;
-  run_unlocked(threads, progress, [&](const RunContext& ctx) { json = evaluate_folder(request, ctx).json; });
-  return json;
+  std::optional<EvaluatedFolder> result;
+  run_unlocked(threads, progress, [&](const RunContext& ctx) { result = evaluate_folder(request, ctx); });
+  warn(result->notes);
+  return result->json;
 }
 
 std::string compare(const std::vector<std::string>& models) {

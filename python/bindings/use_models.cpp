@@ -11,6 +11,7 @@
 #include "inputs/read_cohort.hpp"
 #include "modelfiles/measures_file.hpp"
 #include "options.hpp"
+#include "remedy_words.hpp"
 #include "workflow/completion.hpp"
 #include "workflow/measure_shapes.hpp"
 #include "workflow/surface_projector.hpp"
@@ -119,14 +120,15 @@ py::tuple measure_meshes(const LoadedModel& loaded, const std::string& file, con
                          const py::object& progress) {
   const InputUnit in_unit = unit_named(unit);
   const Definitions definitions(file, text);
-  std::vector<MeasuredShape> shapes;
+  MeasuredFiles measured;
   run_unlocked(1, progress, [&](const RunContext& ctx) {
     const Measurer measurer = measurer_of(loaded.model, definitions.measures, definitions.source);
-    shapes = measure_files(measurer, {inputs.begin(), inputs.end()}, in_unit, ctx).shapes;
+    measured = measure_files(measurer, {inputs.begin(), inputs.end()}, in_unit, ctx);
   });
+  warn(measured.notes);
   std::vector<std::string> names;
   std::vector<ShapeMeasures> measures;
-  for (MeasuredShape& shape : shapes) {
+  for (MeasuredShape& shape : measured.shapes) {
     names.push_back(std::move(shape.name));
     measures.push_back(std::move(shape.measures));
   }

@@ -51,6 +51,15 @@ def test_synth_is_the_same_for_the_same_seed():
     assert np.array_equal(one[0][1].triangles, one[1][1].triangles)
 
 
+def test_notes_on_a_file_are_warnings_of_the_caller(tmp_path, torus):
+    foramen.write_mesh(tmp_path / "a.ply", torus)
+    with open(tmp_path / "a.ply", "ab") as file:
+        file.write(b"\n more")
+    with pytest.warns(UserWarning, match="a.ply") as caught:
+        foramen.read_mesh(tmp_path / "a.ply")
+    assert caught[0].filename == __file__
+
+
 def test_errors_are_those_of_the_library(tmp_path, torus):
     with pytest.raises(foramen.IoError, match="no.ply"):
         foramen.read_mesh(tmp_path / "no.ply")

@@ -66,7 +66,7 @@ std::vector<bool> read_meshes(ExchangeSet& set, const fs::path& folder, const In
   set.names = std::move(read.names);
   set.shapes = std::move(read.shapes);
   set.triangles = std::move(read.triangles);
-  if (read.size_note) set.notes.push_back(*read.size_note);
+  set.notes.insert(set.notes.end(), read.notes.begin(), read.notes.end());
   std::vector<bool> turned;
   for (std::size_t i = 0; i < read.spaces.size(); ++i) {
     turned.push_back(read.spaces[i] == AnatomicalSpace::ras);

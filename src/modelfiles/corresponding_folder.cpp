@@ -10,8 +10,11 @@ namespace foramen {
 CorrespondingFolder read_corresponding(const std::filesystem::path& folder, const InputUnit& unit) {
   CorrespondingFolder result;
   SizeCheck sizes(unit);
-  for (const ShapeFile& file : find_meshes({folder}).files) {
+  const FoundFiles found = find_meshes({folder});
+  result.notes = found.notes;
+  for (const ShapeFile& file : found.files) {
     MeshFile read = read_mesh(file.path);
+    for (const Message& note : read.notes) result.notes.push_back(note.about(file.shown()));
     if (result.names.empty()) {
       result.triangles = read.soup.triangles;
     } else if (read.soup.triangles != result.triangles ||
@@ -23,10 +26,11 @@ CorrespondingFolder read_corresponding(const std::filesystem::path& folder, cons
     for (Vec3& p : read.soup.points) p *= millimetres_per(unit.length);
     sizes.add(file.path.string(), read.soup.points);
     result.names.push_back(file.name);
+    if (!file.folder.empty()) result.folders.push_back(file.folder);
     result.shapes.push_back(std::move(read.soup.points));
     result.spaces.push_back(read.space.value_or(AnatomicalSpace::lps));
   }
-  result.size_note = sizes.note();
+  if (const auto note = sizes.note()) result.notes.push_back(*note);
   return result;
 }
 

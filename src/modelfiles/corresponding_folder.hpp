@@ -3,7 +3,6 @@
 /// Folders of corresponding meshes: those of foramen, of another tool, or the truth of a synthetic set.
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,11 @@ namespace foramen {
 struct CorrespondingFolder {
   std::vector<std::string> names;  ///< stems, sorted
   std::vector<std::array<int, 3>> triangles;
-  std::vector<std::vector<Vec3>> shapes;            ///< mm
-  std::vector<AnatomicalSpace> spaces;              ///< one per shape; LPS if a file has no tag
-  std::optional<Message> size_note = std::nullopt;  ///< see SizeCheck
+  std::vector<std::vector<Vec3>> shapes;  ///< mm
+  std::vector<AnatomicalSpace> spaces;    ///< one per shape; LPS if a file has no tag
+  /// The folder that tells each file apart, see ShapeFile; empty if the names of the files do.
+  std::vector<std::string> folders = {};
+  std::vector<Message> notes = {};  ///< on the search, the files and their sizes, see SizeCheck
 };
 CorrespondingFolder read_corresponding(const std::filesystem::path& folder, const InputUnit& unit = {});
 

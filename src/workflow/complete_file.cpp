@@ -21,14 +21,20 @@ using nlohmann::ordered_json;
 struct PartFile {
   PartOfVertebra part;
   AnatomicalSpace space = AnatomicalSpace::lps;
+  std::vector<Message> notes;  // on how the file was read, and on its size
 };
 
 PartFile read_part(const CompleteRequest& request, const UsableModel& model) {
   const fs::path& file = request.surface;
   MeshFile read = read_mesh(file);
   try {
-    return {usable_part(std::move(read.soup), request.unit, model.aligned.model),
-            read.space.value_or(AnatomicalSpace::lps)};
+    PartFile file_of_part{usable_part(std::move(read.soup), request.unit, model.aligned.model),
+                          read.space.value_or(AnatomicalSpace::lps),
+                          {}};
+    for (const Message& note : read.notes) file_of_part.notes.push_back(note.about(file.string()));
+    if (const auto& note = file_of_part.part.size_note)
+      file_of_part.notes.push_back(note->about(file.string()));
+    return file_of_part;
   } catch (const TopologyError& e) {
     throw TopologyError(message_of(e).about(file.string()));
   } catch (const InvalidInput& e) {
@@ -87,8 +93,7 @@ CompleteSummary complete_file(const CompleteRequest& request, const RunContext& 
   write_posterior(request.output / "posterior.h5", completed.shape, model);
   ordered_json json{{"surface", request.surface.filename().string()}};
   json.update(completion_json(completed));
-  CompleteSummary summary{file.string() + ": " + completed_text(json), json.dump(2), {}};
-  if (const auto& note = read.part.size_note) summary.notes.push_back(note->about(request.surface.string()));
+  CompleteSummary summary{file.string() + ": " + completed_text(json), json.dump(2), read.notes};
   if (const auto note = completion_note(completed))
     summary.notes.emplace_back(*note + ": look at " + file.string());
   write_file(request.output / "complete.json", summary.json + "\n");

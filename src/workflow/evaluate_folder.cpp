@@ -1,9 +1,11 @@
 #include "workflow/evaluate_folder.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
+#include "foramen/io/label_map.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/read_cohort.hpp"
 #include "inputs/subject_of.hpp"
@@ -18,8 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<std::string>& names,
-                                    const InputUnit& unit) {
-  const auto files = find_meshes({folder}).files;
+                                    const InputUnit& unit, std::vector<Message>& notes) {
+  if (is_label_map(folder))
+    throw InvalidInput(folder.string() + ": is a label map: make meshes of its labels first",
+                       {{RemedyKind::extract_surfaces}});
+  const auto [files, search_notes] = find_meshes({folder});
+  notes.insert(notes.end(), search_notes.begin(), search_notes.end());
   std::vector<Mesh> surfaces;
   SizeCheck sizes(unit);
   for (const std::string& name : names) {
@@ -27,12 +33,33 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
     if (file == nullptr)
       throw InvalidInput(folder.string() + ": there is no original surface for the shape " + name +
                          "; its file must have this name");
-    TriangleSoup soup = read_mesh(file->path).soup;
+    auto [soup, space, file_notes] = read_mesh(file->path);
+    for (const Message& note : file_notes) notes.push_back(note.about(file->shown()));
     for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
     sizes.add(file->path.string(), soup.points);
     surfaces.push_back(build_mesh(std::move(soup)));
   }
+  if (const auto note = sizes.note()) notes.push_back(*note);
   return surfaces;
+}
+
+// By the pattern, else as the model's metrics say, else the folders that tell the files apart. Empty: the
+// subjects are not known.
+std::vector<std::string> subjects_of(const EvaluateFolderRequest& request, const CorrespondingFolder& read) {
+  std::vector<std::string> subjects;
+  if (!request.subject_pattern.empty()) {
+    for (const std::string& name : read.names) subjects.push_back(subject_of(name, request.subject_pattern));
+    return subjects;
+  }
+  if (!fs::exists(request.corresponding / "metrics.json")) return read.folders;
+  const Evaluation of_model = read_metrics(request.corresponding);
+  if (of_model.subjects.empty()) return read.folders;
+  for (const std::string& name : read.names) {
+    const auto found = std::find(of_model.names.begin(), of_model.names.end(), name);
+    if (found == of_model.names.end()) return read.folders;
+    subjects.push_back(of_model.subjects[found - of_model.names.begin()]);
+  }
+  return subjects;
 }
 
 void write_true_landmarks(const fs::path& target, const CorrespondingCohort& cohort,
@@ -72,11 +99,10 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
   const CorrespondingFolder folder =
       read_corresponding(fs::is_directory(inner) ? inner : request.corresponding, request.unit);
   CorrespondingCohort cohort{folder.names, {}, folder.triangles, folder.shapes, {}};
-  if (!request.subject_pattern.empty())
-    for (const std::string& name : folder.names)
-      cohort.subjects.push_back(subject_of(name, request.subject_pattern));
+  cohort.subjects = subjects_of(request, folder);
+  std::vector<Message> notes = folder.notes;
   if (!request.shapes.empty())
-    cohort.inputs = original_surfaces(request.shapes, folder.names, request.unit);
+    cohort.inputs = original_surfaces(request.shapes, folder.names, request.unit, notes);
   else
     for (const auto& points : folder.shapes) cohort.inputs.push_back(build_mesh({points, folder.triangles}));
   std::optional<TrueCorrespondence> truth;
@@ -87,12 +113,12 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
     write_true_landmarks(request.true_landmarks, cohort, *truth, request.unit, ctx);
   }
 
-  EvaluatedFolder result{evaluate(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}};
+  EvaluatedFolder result{
+      evaluate(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}, std::move(notes)};
   if (!request.output.empty()) {
     make_folder(request.output);
     write_metrics(request.output, result.evaluation);
   }
-  if (folder.size_note) result.notes.push_back(*folder.size_note);
   result.text = summary(result.evaluation);
   result.json = metrics_json(result.evaluation);
   return result;

@@ -23,7 +23,7 @@ struct EvaluateFolderRequest {
                                          ///< that can be evaluated in turn; empty: not written. Needs truth.
   std::filesystem::path output;          ///< folder for the metrics; empty: not written
   InputUnit unit = {};                   ///< of all these meshes and of what is written; measures are in mm
-  std::string subject_pattern;
+  std::string subject_pattern;  ///< see subject_of(); empty: subjects as the model's files or folders say
   EvaluationOptions options = {};
 };
 

@@ -39,7 +39,8 @@ MeasuredFiles measure_files(const Measurer& measurer, const std::vector<std::fil
   SizeCheck sizes(unit);
   for (const ShapeFile& file : found.files) {
     ctx.step("measure", static_cast<double>(all.shapes.size()) / static_cast<double>(found.files.size()));
-    TriangleSoup soup = read_mesh(file.path).soup;
+    auto [soup, space, file_notes] = read_mesh(file.path);
+    for (const Message& note : file_notes) all.notes.push_back(note.about(file.shown()));
     for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
     sizes.add(file.path.string(), soup.points);
     all.shapes.push_back({file.name, measured(measurer, std::move(soup), file.path)});

@@ -131,6 +131,7 @@ ProjectSummary project_files(const ProjectRequest& request, const RunContext& ct
   for (const Projected& p : all) {
     records.push_back(projected_json(p));
     if (!p.failure) {
+      summary.notes.insert(summary.notes.end(), p.input.notes.begin(), p.input.notes.end());
       if (p.input.size_note) summary.notes.push_back(p.input.size_note->about(p.input.file_name));
       write_projected(p, projector.model(), request);
       summary.lines.push_back({{line_of(p.input.stem, p.projection)}});

@@ -122,6 +122,38 @@ TEST(ReadLabelMap, NiftiScalingUnitsAndDimensionsOfOne) {
   expect_same(read_label_map(folder.file("metres.nii", metres)), map, 10 * single_precision);
 }
 
+TEST(ReadLabelMap, NiftiOfTheSecondVersion) {
+  const TemporaryFolder folder;
+  const LabelMap map = oblique_map();
+  for (const bool big_endian : {false, true})
+    expect_same(read_label_map(folder.file("a.nii.gz", packed(nifti2_bytes(map, big_endian)))), map,
+                double_precision);
+
+  // By the qform, scaled, and in metres.
+  const LabelMap left_handed = oblique_map(true);
+  LabelMap stored = left_handed;
+  for (auto& label : stored.labels) label = static_cast<std::uint16_t>(2 * label + 6);
+  std::string bytes = nifti2_bytes(stored);
+  set_value<double>(bytes, 176, 0.5);
+  set_value<double>(bytes, 184, -3);
+  set_value<std::int32_t>(bytes, 500, 1);
+  set_value<std::int32_t>(bytes, 344, 1);
+  set_value<std::int32_t>(bytes, 348, 0);
+  Mat3 ras = Vec3(-1, -1, 1).asDiagonal() * left_handed.axes;
+  for (int d = 0; d < 3; ++d) {
+    set_value<double>(bytes, 112 + 8 * static_cast<std::size_t>(d), ras.col(d).norm() / 1000);
+    ras.col(d).normalize();
+  }
+  set_value<double>(bytes, 104, -1);
+  ras.col(2) *= -1;
+  Eigen::Quaterniond q(ras);
+  if (q.w() < 0) q.coeffs() *= -1;
+  const Vec3 origin = Vec3(-1, -1, 1).cwiseProduct(left_handed.origin) / 1000;
+  const std::array<double, 6> values{q.x(), q.y(), q.z(), origin.x(), origin.y(), origin.z()};
+  for (std::size_t i = 0; i < values.size(); ++i) set_value<double>(bytes, 352 + 8 * i, values[i]);
+  expect_same(read_label_map(folder.file("q.nii", bytes)), left_handed, 100 * double_precision);
+}
+
 TEST(ReadLabelMap, NrrdInItsSpacesAndEncodings) {
   const TemporaryFolder folder;
   const LabelMap map = oblique_map();

@@ -38,6 +38,14 @@ std::string nifti_with(std::size_t offset, T value) {
   return bytes;
 }
 
+// With the number of dimensions, and the size along the last of them.
+std::string nifti2_with_size(std::int64_t dimensions, std::int64_t size) {
+  std::string bytes = nifti2_bytes(small_map());
+  set_value<std::int64_t>(bytes, 16, dimensions);
+  set_value<std::int64_t>(bytes, 16 + 8 * static_cast<std::size_t>(dimensions), size);
+  return bytes;
+}
+
 std::vector<Case> nifti_cases() {
   const LabelMap map = small_map();
   const std::string good = nifti_bytes(map);
@@ -81,7 +89,10 @@ std::vector<Case> nifti_cases() {
       {"RGB", "a.nii", nifti_with<std::int16_t>(70, 128), "type 128"},
       {"complex", "a.nii", nifti_with<std::int16_t>(70, 32), "type 32"},
       {"pair of files", "a.nii", replaced(good, "n+1", "ni1"), "no NIfTI mark"},
-      {"NIfTI-2", "a.nii", nifti_with<std::int32_t>(0, 540), "NIfTI-2"},
+      {"mark of NIfTI-1 in a header of NIfTI-2", "a.nii", nifti_with<std::int32_t>(0, 540), "no NIfTI mark"},
+      {"header of NIfTI-2 cut off", "a.nii", nifti2_bytes(map).substr(0, 500), "500 bytes"},
+      {"four dimensions in NIfTI-2", "a.nii", nifti2_with_size(4, 2), "image of 4 dimensions"},
+      {"endless in NIfTI-2", "a.nii", nifti2_with_size(3, std::int64_t{1} << 62), "voxels"},
       {"voxels before the header's end", "a.nii", nifti_with<float>(108, 4), "begin at byte 4"},
       {"voxels beyond the end", "a.nii", nifti_with<float>(108, 1e6F), "are there"},
       {"voxels nowhere", "a.nii", nifti_with<float>(108, std::numeric_limits<float>::quiet_NaN()),

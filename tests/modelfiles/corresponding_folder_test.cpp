@@ -54,10 +54,10 @@ TEST_F(FolderOfThree, UnitsBecomeMillimetres) {
   write_ply(centimetres.file("a.ply"), testing::torus_soup(8, 6, 2, 0.8));
   const CorrespondingFolder read = read_corresponding(centimetres.path(), LengthUnit::centimetre);
   EXPECT_LT((read.shapes.at(0).at(0) - Vec3(28, 0, 0)).norm(), 1e-5);
-  EXPECT_FALSE(read.size_note);
+  EXPECT_TRUE(read.notes.empty());
   EXPECT_THAT(refusal_of([&] { read_corresponding(centimetres.path()); }),
               HasSubstr("a.ply: the bounding box"));
-  EXPECT_TRUE(read_corresponding(centimetres.path(), {LengthUnit::millimetre, true}).size_note);
+  EXPECT_EQ(read_corresponding(centimetres.path(), {LengthUnit::millimetre, true}).notes.size(), 1);
 }
 
 TEST_F(FolderOfThree, AMeshOfOtherTrianglesIsNamed) {

@@ -104,6 +104,28 @@ std::string nifti_bytes(const LabelMap& map, int type = 512, bool big_endian = f
   return h + voxel_bytes<T>(map, big_endian);
 }
 
+/// The map as NIfTI-2 of uint16, placed by its sform.
+inline std::string nifti2_bytes(const LabelMap& map, bool big_endian = false) {
+  std::string h(544, '\0');
+  set_value<std::int32_t>(h, 0, 540, big_endian);
+  h.replace(4, 8, std::string("n+2\0\r\n\x1a\n", 8));
+  set_value<std::int16_t>(h, 12, 512, big_endian);
+  set_value<std::int16_t>(h, 14, 16, big_endian);
+  set_value<std::int64_t>(h, 16, 3, big_endian);
+  for (std::size_t d = 0; d < 3; ++d) set_value<std::int64_t>(h, 24 + 8 * d, map.size[d], big_endian);
+  for (std::size_t d = 3; d < 7; ++d) set_value<std::int64_t>(h, 24 + 8 * d, 1, big_endian);
+  set_value<std::int64_t>(h, 168, 544, big_endian);
+  set_value<std::int32_t>(h, 348, 1, big_endian);
+  for (int row = 0; row < 3; ++row) {
+    const double sign = row < 2 ? -1 : 1;
+    const std::size_t at = 400 + 32 * static_cast<std::size_t>(row);
+    for (int d = 0; d < 3; ++d)
+      set_value<double>(h, at + 8 * static_cast<std::size_t>(d), sign * map.axes(row, d), big_endian);
+    set_value<double>(h, at + 24, sign * map.origin[row], big_endian);
+  }
+  return h + voxel_bytes<std::uint16_t>(map, big_endian);
+}
+
 inline std::string numbers(const Vec3& v, const char* between) {
   char text[128];
   std::snprintf(text, sizeof text, "%.17g%s%.17g%s%.17g", v.x(), between, v.y(), between, v.z());

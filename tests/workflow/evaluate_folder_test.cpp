@@ -1,6 +1,7 @@
 #include "workflow/evaluate_folder.hpp"
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,48 @@ TEST_F(EvaluateFolder, SubjectsAreReadFromTheNames) {
   EXPECT_EQ(e.subjects, cohort().subjects);
   ASSERT_TRUE(e.leave_subject_out);
   EXPECT_EQ(e.leave_subject_out->groups, 2);
+}
+
+TEST_F(EvaluateFolder, SubjectsOfAModelAreThoseOfItsMetrics) {
+  EvaluateFolderRequest by_subject = request();
+  by_subject.subject_pattern = "(patient[0-9]+)_.*";
+  by_subject.output = at("model");
+  evaluated(by_subject);
+  fs::rename(at("meshes"), at("model") / "corresponding");
+  EvaluateFolderRequest of_model = request();
+  of_model.corresponding = at("model");
+  EXPECT_EQ(evaluated(of_model).evaluation.subjects, cohort().subjects);
+}
+
+TEST_F(EvaluateFolder, FoldersThatTellFilesApartAreTheSubjects) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const fs::path folder = at("people") / ("p" + std::to_string(i / 2));
+    fs::create_directories(folder);
+    write_ply(folder / ("L" + std::to_string(1 + i % 2) + ".ply"),
+              {cohort().corresponding[i], cohort().triangles});
+  }
+  EvaluateFolderRequest of_people = request();
+  of_people.corresponding = at("people");
+  const Evaluation e = evaluated(of_people).evaluation;
+  EXPECT_THAT(e.names, ::testing::ElementsAre("p0_L1", "p0_L2", "p1_L1", "p1_L2"));
+  EXPECT_THAT(e.subjects, ::testing::ElementsAre("p0", "p0", "p1", "p1"));
+}
+
+TEST_F(EvaluateFolder, NotesOfTheSearchAndOfTheFilesArePassedOn) {
+  fs::create_directories(at("surfaces") / ".hidden");
+  std::ofstream(at("surfaces") / (cohort().names[1] + ".ply"), std::ios::app) << "\n more";
+  EvaluateFolderRequest with_surfaces = request();
+  with_surfaces.shapes = at("surfaces");
+  const auto notes = evaluated(with_surfaces).notes;
+  EXPECT_THAT(notes, ::testing::Contains(::testing::Field(&Message::text, HasSubstr("hidden folders"))));
+  EXPECT_THAT(notes, ::testing::Contains(::testing::Field(&Message::text, HasSubstr(cohort().names[1]))));
+}
+
+TEST_F(EvaluateFolder, ALabelMapInPlaceOfSurfacesIsNamed) {
+  EvaluateFolderRequest of_label_map = request();
+  of_label_map.shapes = at("map.nii.gz");
+  EXPECT_THAT(refused(of_label_map),
+              AllOf(testing::says("is a label map"), testing::offers({{RemedyKind::extract_surfaces}})));
 }
 
 TEST_F(EvaluateFolder, MetricsAreWrittenWhereTheyAreWanted) {
