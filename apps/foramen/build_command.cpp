@@ -18,7 +18,8 @@ struct BuildCommand {
 
 int build(const BuildCommand& command) {
   try {
-    return finish_build(command.request, command.console, command.strict);
+    return print_build(run_build(command.request, command.console.context()), command.console,
+                       command.strict);
   } catch (const Cancelled&) {
     command.console.warn("the same command with --resume goes on from here");
     throw;
@@ -27,8 +28,7 @@ int build(const BuildCommand& command) {
 
 }  // namespace
 
-int finish_build(const BuildRequest& request, const Console& console, bool strict) {
-  const BuildSummary summary = run_build(request, console.context());
+int print_build(const BuildSummary& summary, const Console& console, bool strict) {
   for (const LeftOut& shape : summary.left_out)
     console.warn(shape.reason.about("left out " + source_of(shape)));
   for (const Message& note : summary.notes) console.warn(note);

@@ -40,7 +40,7 @@ struct BuildArguments {
                        const std::string& canonical_command) const;
 };
 
-/// Runs the build, prints its results, and returns the exit code.
-int finish_build(const BuildRequest& request, const Console& console, bool strict);
+/// Prints what a build says and returns the exit code.
+int print_build(const BuildSummary& summary, const Console& console, bool strict);
 
 }  // namespace foramen::app

@@ -13,7 +13,7 @@
 
 #include "foramen/core/remedy.hpp"
 #include "foramen/core/run_context.hpp"
-#include "run_record.hpp"
+#include "run_journal.hpp"
 
 namespace foramen::app {
 
@@ -25,7 +25,7 @@ struct Console {
   bool json = false;   ///< one object on stdout instead of text
   bool quiet = false;  ///< no progress, no summary
   int threads = 0;
-  RecordOptions record;
+  JournalOptions journal;
   std::string command;  ///< canonical: without -o, --threads, --json, --quiet, --events, --log, inputs by
                         ///< their base names
 
@@ -69,9 +69,9 @@ void add_console_options(CLI::App& command, Console& console);
 /// Files are given by their base names.
 std::string canonical_command(const CLI::App& command, const std::vector<std::string>& inputs);
 
-/// Begins the records of --events and --log with the command as it was typed.
+/// Begins the journal (--events and --log) with the command as it was typed.
 void begin_run(const std::string& command);
-/// Ends the records of --events and --log. \param error  empty if there is none
+/// Ends the journal (--events and --log). \param error  empty if there is none
 void end_run(int exit_code, const std::string& error = {});
 
 /// Each function below registers one sub-command. When the sub-command is parsed, it sets `run` to its work.

@@ -6,6 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include <nlohmann/json.hpp>
+
 #include "command.hpp"
 #include "progress_bar.hpp"
 #include "remedy_words.hpp"
@@ -29,8 +31,9 @@ void stop_on(int signal) {
 // Reports the progress of a run to the terminal and to the files of --events and --log.
 class Reporter {
  public:
-  Reporter(const Console& console, const std::string& command_line) : record_(console.record, command_line) {
-    if (!console.quiet && !console.json && console.record.events != "-")
+  Reporter(const Console& console, const std::string& command_line)
+      : journal_(console.journal, command_line) {
+    if (!console.quiet && !console.json && console.journal.events != "-")
       bar_.emplace(isatty(STDERR_FILENO) != 0);
   }
   void progress(const Progress& progress) {
@@ -38,17 +41,17 @@ class Reporter {
     stage_ = progress.stage;
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - stage_start_).count();
-    record_.progress(progress, seconds);
+    journal_.progress(progress, seconds);
     if (bar_) bar_->show(progress, seconds);
   }
-  RunRecord& record() { return record_; }
+  RunJournal& journal() { return journal_; }
   // Ends the line of the progress bar, so that the next output begins on a new line.
   void leave_bar() {
     if (bar_) bar_->leave_line();
   }
 
  private:
-  RunRecord record_;
+  RunJournal journal_;
   std::optional<ProgressBar> bar_;
   std::string stage_;
   std::chrono::steady_clock::time_point stage_start_;
@@ -69,7 +72,7 @@ void begin_run(const std::string& command) { command_line = command; }
 void end_run(int exit_code, const std::string& error) {
   if (!reporter) return;
   reporter->leave_bar();
-  reporter->record().ended(exit_code, error);
+  reporter->journal().ended(exit_code, error);
 }
 
 RunContext Console::context() const {
@@ -83,26 +86,33 @@ RunContext Console::context() const {
 
 void Console::say(const std::string& line) const {
   reporter_of(*this).leave_bar();
-  reporter_of(*this).record().message(line);
+  reporter_of(*this).journal().message(line);
   if (!quiet && !json) std::cout << line << '\n';
 }
 
 void Console::warn(const std::string& line) const {
   reporter_of(*this).leave_bar();
-  reporter_of(*this).record().warning(line);
-  if (!quiet && record.events != "-") std::cerr << "warning: " << line << '\n';
+  reporter_of(*this).journal().warning(line);
+  if (!quiet && journal.events != "-") std::cerr << "warning: " << line << '\n';
 }
 
 void Console::warn(const Message& message) const { warn(worded(message)); }
+
+void tell_written(const Console& console, const std::filesystem::path& folder, int files) {
+  if (console.json)
+    std::cout << nlohmann::ordered_json{{"folder", folder.string()}, {"files", files}}.dump(2) << '\n';
+  else
+    console.say("wrote " + std::to_string(files) + " meshes to " + folder.string());
+}
 
 void add_console_options(CLI::App& command, Console& console) {
   command.add_option("--threads", console.threads, "threads to use (0: all)")->check(CLI::Range(0, 1024));
   command.add_flag("--json", console.json, "print one JSON object on standard output");
   command.add_flag("--quiet", console.quiet, "print nothing but errors");
   command.add_option(
-      "--events", console.record.events,
+      "--events", console.journal.events,
       "file for progress, warnings and the end as they come, one JSON object a line; -: standard error");
-  command.add_option("--log", console.record.log, "file to append the same to, as text with times");
+  command.add_option("--log", console.journal.log, "file to append the same to, as text with times");
 }
 
 }  // namespace foramen::app

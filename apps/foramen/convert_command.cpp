@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "convert_options.hpp"
+#include "described_option.hpp"
+#include "exchange/convert.hpp"
+#include "repair_options.hpp"
 
 namespace foramen::app {
 namespace {
@@ -13,13 +15,28 @@ struct ConvertCommand {
   Console console;
 };
 
+// The command in the form in which models record it.
+std::string recorded_command(const ConvertRequest& request) {
+  std::string command = "foramen convert " + request.input.lexically_normal().filename().string();
+  if (request.scale == ScaleMode::remove) command += " --scale remove";
+  return command;
+}
+
+nlohmann::ordered_json as_json(const ConvertRequest& request, const ConvertSummary& summary) {
+  return {{"output", request.output.string()},
+          {"files", summary.files},
+          {"shapes", summary.shapes},
+          {"landmarks", summary.landmarks},
+          {"notes", texts_of(summary.notes)}};
+}
+
 int convert_files(ConvertCommand command) {
   ConvertRequest& request = command.request;
   request.command = recorded_command(request);
   const ConvertSummary summary = convert(request, command.console.context());
   for (const Message& note : summary.notes) command.console.warn(note);
   if (command.console.json)
-    std::cout << convert_json(request, summary).dump(2) << '\n';
+    std::cout << as_json(request, summary).dump(2) << '\n';
   else
     command.console.say("wrote " + request.output.string() + ": " + std::to_string(summary.shapes) +
                         " shapes, " + std::to_string(summary.landmarks) + " landmarks, " +
@@ -54,7 +71,15 @@ void add_convert(CLI::App& program, Run& run) {
                    "file to write, its kind by its extension: .h5 .h5.json .swproj .tps .csv; or a folder of "
                    "meshes")
       ->required();
-  add_convert_options(*command, request);
+  detail::add_field(*command, "--to", request.format,
+                    {.meaning = "what to write, where the extension does not say it: scores (.csv); "
+                                "ply, vtp, landmarks (of Scalismo): folders"});
+  add_unit_option(*command, request.unit);
+  command->add_option("--triangles", request.triangles,
+                      "a mesh whose vertices the points are, for inputs without triangles");
+  add_choice<ScaleMode>(*command, "--scale", request.scale,
+                        {{"keep", ScaleMode::keep}, {"remove", ScaleMode::remove}},
+                        "keep or remove the shapes' size, where a model is made of shapes");
   add_console_options(*command, options->console);
   command->callback([options, &run] { run = [options] { return convert_files(*options); }; });
 }

@@ -1,35 +1,23 @@
 #include "build_options.hpp"
-#include "shape_options.hpp"
+#include "workflow/run_demo.hpp"
 
 namespace foramen::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct DemoCommand {
-  SynthOptions synth;
-  BuildFlags flags;
-  BuildOptions build;  // set from the flags
-  std::string output = "foramen-demo";
+  DemoRequest request;
+  BuildFlags flags;  // part of the request is set from them
   Console console;
 };
 
 int demo(const DemoCommand& command) {
-  const fs::path folder = command.output;
   const Console& console = command.console;
-  console.say("making " + std::to_string(command.synth.shapes) + " vertebra-like shapes (seed " +
-              std::to_string(command.synth.seed) + ")");
-  write_synth_cohort(synth_cohort(command.synth, console.context()), folder);
-
-  BuildRequest request;
-  request.inputs = {folder / "shapes"};
-  request.output = folder / "model";
-  request.truth = folder / "truth";
-  request.build = command.build;
-  request.evaluation = evaluation_options(command.flags.choices);
-  request.canonical_command = "foramen demo";
-  const int code = finish_build(request, console, true);
-  console.say((folder / "model" / "report.html").string());
+  const SynthOptions& synth = command.request.synth;
+  console.say("making " + std::to_string(synth.shapes) + " vertebra-like shapes (seed " +
+              std::to_string(synth.seed) + ")");
+  const DemoSummary summary = run_demo(command.request, console.context());
+  const int code = print_build(summary.build, console, true);
+  console.say(summary.report.string());
   return code;
 }
 
@@ -37,17 +25,22 @@ int demo(const DemoCommand& command) {
 
 void add_demo(CLI::App& program, Run& run) {
   auto options = std::make_shared<DemoCommand>();
+  DemoRequest& request = options->request;
+  request.output = "foramen-demo";
+  request.canonical_command = "foramen demo";
   options->flags.choices.samples = 100;  // fewer than a build, so that the demo takes a minute
   CLI::App* command = program.add_subcommand(
       "demo", "a synthetic cohort, its model and report: needs no input, ends with the report's path");
   command->footer("Example:\n  foramen demo -n 8");
-  command->add_option("-n,--shapes", options->synth.shapes, "number of shapes")->check(CLI::Range(3, 1000));
+  command->add_option("-n,--shapes", request.synth.shapes, "number of shapes")->check(CLI::Range(3, 1000));
   options->flags.add_to(*command);
-  command->add_option("-o,--output", options->output, "folder to write")->capture_default_str();
+  command->add_option("-o,--output", request.output, "folder to write")->capture_default_str();
   add_console_options(*command, options->console);
   command->callback([options, &run] {
-    options->synth.seed = evaluation_options(options->flags.choices).seed;
-    options->build = options->flags.resolved();
+    DemoRequest& resolved = options->request;
+    resolved.evaluation = evaluation_options(options->flags.choices);
+    resolved.synth.seed = resolved.evaluation.seed;
+    resolved.build = options->flags.resolved();
     run = [options] { return demo(*options); };
   });
 }

@@ -3,19 +3,20 @@
 #include <optional>
 
 #include <pybind11/stl.h>
+#include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
 #include "exchange/convert.hpp"
 #include "findings/compare_models.hpp"
 #include "foramen/core/error.hpp"
 #include "options.hpp"
-#include "pages/render_model.hpp"
 #include "remedy_words.hpp"
 #include "workflow/build_choices.hpp"
 #include "workflow/evaluate_folder.hpp"
 #include "workflow/label_choices.hpp"
 #include "workflow/run_build.hpp"
 #include "workflow/run_extract.hpp"
+#include "workflow/write_pictures.hpp"
 #include "workflow/write_report.hpp"
 
 namespace foramen::python {
@@ -216,8 +217,11 @@ py::tuple convert_files(const std::string& input, const std::string& output, con
 std::string render(const std::string& model, const std::string& output, const std::string& baseline,
                    bool only_curves) {
   const py::gil_scoped_release unlocked;
-  return text_of(
-      write_rendered(render_model(model, {.baseline = baseline, .only_curves = only_curves}), output));
+  auto captions = nlohmann::ordered_json::object();
+  for (const WrittenPicture& picture :
+       write_pictures({model, output, {.baseline = baseline, .only_curves = only_curves}}))
+    captions[picture.file.filename().string()] = picture.caption;
+  return text_of(captions);
 }
 
 }  // namespace

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/evaluate/representation.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "io/atomic_file.hpp"
 #include "modelfiles/metrics_file.hpp"
 #include "modelfiles/model_record.hpp"
 #include "pages/model_pictures.hpp"
@@ -143,16 +140,6 @@ std::vector<RenderedFile> render_model(const fs::path& folder, const RenderOptio
     files.push_back({chart.file_stem + ".pdf", pdf_chart(chart), caption});
   }
   return files;
-}
-
-nlohmann::ordered_json write_rendered(const std::vector<RenderedFile>& files, const fs::path& folder) {
-  make_folder(folder);
-  auto captions = nlohmann::ordered_json::object();
-  for (const RenderedFile& file : files) {
-    write_file(folder / file.name, file.bytes);
-    captions[file.name] = file.caption;
-  }
-  return captions;
 }
 
 }  // namespace foramen

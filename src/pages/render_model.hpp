@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 namespace foramen {
 
 struct RenderOptions {
@@ -28,9 +26,5 @@ struct RenderedFile {
 /// with the model.
 std::vector<RenderedFile> render_model(const std::filesystem::path& folder,
                                        const RenderOptions& options = {});
-
-/// Writes the files into a folder, which is created if necessary. Returns the captions by file names.
-nlohmann::ordered_json write_rendered(const std::vector<RenderedFile>& files,
-                                      const std::filesystem::path& folder);
 
 }  // namespace foramen

@@ -31,7 +31,9 @@ std::vector<Message> sample_model(const SampleRequest& request, const RunContext
     write_ply(request.output / sample_name(i), {unflattened(shape), loaded.model.triangles()}, loaded.space);
     ctx.step("sample", static_cast<double>(++done) / request.count);
   });
-  return loaded.notes;
+  std::vector<Message> notes;
+  for (const Message& note : loaded.notes) notes.push_back(note.about(request.model.string()));
+  return notes;
 }
 
 }  // namespace foramen

@@ -17,6 +17,7 @@
 #include "workflow/read_family.hpp"
 #include "workflow/reconstruct_shapes.hpp"
 #include "workflow/sample_model.hpp"
+#include "workflow/write_mode_shapes.hpp"
 
 namespace foramen {
 namespace {
@@ -24,6 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 class ModelVerbs : public ::testing::Test {
  protected:
@@ -51,6 +53,21 @@ TEST_F(ModelVerbs, ASampleIsTheSameOnAnyNumberOfThreads) {
   }
   EXPECT_FALSE(testing::bytes_of(file("one/sample0001.ply")) ==
                testing::bytes_of(file("one/sample0002.ply")));
+}
+
+TEST_F(ModelVerbs, ModesAreMeshesOnBothSidesOfTheMean) {
+  const ModeShapesSummary summary = write_mode_shapes({.model = model(), .output = file("modes"), .sd = 3});
+  EXPECT_EQ(summary.files, 2 * read_statismo(model() / "model.h5").variance.size());
+  EXPECT_THAT(summary.notes, IsEmpty());
+  const auto mean = read_mesh(model() / "mean.ply").soup.points;
+  const auto minus = read_mesh(file("modes/mode01_minus3sd.ply")).soup.points;
+  const auto plus = read_mesh(file("modes/mode01_plus3sd.ply")).soup.points;
+  const auto plus_two = read_mesh(model() / "modes/mode01_plus2sd.ply").soup.points;
+  ASSERT_EQ(plus.size(), mean.size());
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    EXPECT_LT(((minus[i] + plus[i]) / 2 - mean[i]).norm(), 1e-4);  // files round
+    EXPECT_LT((plus[i] - mean[i] - 1.5 * (plus_two[i] - mean[i])).norm(), 1e-4);
+  }
 }
 
 TEST_F(ModelVerbs, ShapesOfScoresAreThoseOfTheModel) {

@@ -12,6 +12,8 @@
 #include "support/temporary_folder.hpp"
 #include "support/torus_family.hpp"
 #include "workflow/run_build.hpp"
+#include "workflow/write_comparison.hpp"
+#include "workflow/write_pictures.hpp"
 
 namespace foramen {
 namespace {
@@ -71,6 +73,32 @@ TEST_F(RenderModel, CurvesNeedNoDisplay) {
     EXPECT_EQ(file.bytes.substr(0, 4), file.name.ends_with(".svg") ? "<svg" : "%PDF") << file.name;
     EXPECT_FALSE(file.caption.empty());
   }
+}
+
+TEST_F(RenderModel, PicturesAreWrittenUnderTheirNames) {
+  const fs::path folder = model() / "pictures";
+  const auto files = render_model(model(), {.only_curves = true});
+  const auto written = write_pictures({model(), folder, {.only_curves = true}});
+  ASSERT_EQ(written.size(), files.size());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    EXPECT_EQ(written[i].file, folder / files[i].name);
+    EXPECT_EQ(written[i].caption, files[i].caption);
+    EXPECT_TRUE(testing::bytes_of(written[i].file) == files[i].bytes) << files[i].name;
+  }
+}
+
+TEST_F(RenderModel, AComparisonIsAPageARecordAndCharts) {
+  const fs::path folder = model() / "comparison";
+  const ComparisonSummary summary = write_comparison({.models = {model(), baseline()}, .output = folder});
+  EXPECT_EQ(summary.page, folder / "compare.html");
+  EXPECT_THAT(summary.text, HasSubstr("closest minus model: Specificity"));
+  EXPECT_EQ(testing::bytes_of(folder / "compare.json"), summary.json + "\n");
+  const std::string page = testing::bytes_of(summary.page);
+  for (const std::string chart : {"generalization.svg", "specificity.svg"})
+    EXPECT_THAT(testing::bytes_of(folder / chart), HasSubstr("<svg")) << chart;
+  EXPECT_THAT(page, HasSubstr("closest"));
+  EXPECT_THROW(write_comparison({.models = {model(), folder}, .output = model() / "none"}), IoError);
+  EXPECT_FALSE(fs::exists(model() / "none"));
 }
 
 TEST_F(RenderModel, ABaselineIsASecondCurve) {

@@ -1,4 +1,4 @@
-#include "run_record.hpp"
+#include "run_journal.hpp"
 
 #include <cstdio>
 #include <ctime>
@@ -36,7 +36,7 @@ std::string line_of(const ordered_json& event) {
 
 }  // namespace
 
-RunRecord::RunRecord(const RecordOptions& options, const std::string& command) {
+RunJournal::RunJournal(const JournalOptions& options, const std::string& command) {
   events_to_stderr_ = options.events == "-";
   if (!options.events.empty() && !events_to_stderr_) events_file_ = open(options.events, std::ios::trunc);
   if (!options.log.empty()) log_file_ = open(options.log, std::ios::app);
@@ -44,7 +44,7 @@ RunRecord::RunRecord(const RecordOptions& options, const std::string& command) {
   log("foramen " + version() + ": " + command);
 }
 
-void RunRecord::progress(const Progress& progress, double stage_seconds) {
+void RunJournal::progress(const Progress& progress, double stage_seconds) {
   const auto left = remaining_seconds(stage_seconds, progress.fraction);
   ordered_json remaining;
   if (left) remaining = *left;
@@ -60,35 +60,35 @@ void RunRecord::progress(const Progress& progress, double stage_seconds) {
   logged_stage_ = stage;
 }
 
-void RunRecord::warning(const std::string& text) {
+void RunJournal::warning(const std::string& text) {
   event(line_of({{"event", "warning"}, {"seconds", seconds()}, {"text", text}}));
   log("warning: " + text);
 }
 
-void RunRecord::message(const std::string& text) {
+void RunJournal::message(const std::string& text) {
   event(line_of({{"event", "message"}, {"seconds", seconds()}, {"text", text}}));
   log(text);
 }
 
-void RunRecord::ended(int exit_code, const std::string& error) {
+void RunJournal::ended(int exit_code, const std::string& error) {
   ordered_json what;
   if (!error.empty()) what = error;
   event(line_of({{"event", "ended"}, {"seconds", seconds()}, {"exit_code", exit_code}, {"error", what}}));
   log((error.empty() ? "" : "error: " + error + "; ") + "exit code " + std::to_string(exit_code));
 }
 
-void RunRecord::event(const std::string& line) {
+void RunJournal::event(const std::string& line) {
   const std::lock_guard lock(mutex_);
   if (events_to_stderr_) std::fprintf(stderr, "%s\n", line.c_str());
   if (events_file_.is_open()) events_file_ << line << std::endl;
 }
 
-void RunRecord::log(const std::string& line) {
+void RunJournal::log(const std::string& line) {
   const std::lock_guard lock(mutex_);
   if (log_file_.is_open()) log_file_ << now() << ' ' << line << std::endl;
 }
 
-double RunRecord::seconds() const {
+double RunJournal::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 

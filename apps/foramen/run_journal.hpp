@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Records of a run while it runs: events for other programs, and a log file for people.
+/// What a run writes while it runs: events for other programs, and a log file for people. It is not run.json,
+/// which a build writes at its end.
 
 #include <chrono>
 #include <fstream>
@@ -11,8 +12,8 @@
 
 namespace foramen::app {
 
-/// The files of the records; an empty name means that there is no such record.
-struct RecordOptions {
+/// Where the journal is written; an empty name means nowhere.
+struct JournalOptions {
   std::string events;  ///< a file, or - for standard error; one JSON object per line
   std::string log;     ///< a text file to which lines with times are appended
 };
@@ -21,10 +22,10 @@ struct RecordOptions {
 /// "fraction", "item", "remaining_seconds" or null}, {"event": "warning" or "message", "seconds", "text"},
 /// {"event": "ended", "seconds", "exit_code", "error" or null}. Every line is written immediately. The
 /// functions may be called from several threads.
-class RunRecord {
+class RunJournal {
  public:
   /// Throws IoError if a file cannot be written.
-  RunRecord(const RecordOptions& options, const std::string& command);
+  RunJournal(const JournalOptions& options, const std::string& command);
   void progress(const Progress& progress, double stage_seconds);
   void warning(const std::string& text);
   void message(const std::string& text);

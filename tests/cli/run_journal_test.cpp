@@ -1,4 +1,4 @@
-// The records of --events and --log.
+// The journal of a run: --events and --log.
 #include <map>
 #include <sstream>
 #include <string>
@@ -27,7 +27,7 @@ std::vector<nlohmann::json> events_in(const std::string& text) {
   return events;
 }
 
-TEST(RunRecord, EventsGoFromStartToEnd) {
+TEST(RunJournal, EventsGoFromStartToEnd) {
   const TemporaryFolder folder;
   const auto path = (folder.path() / "events").string();
   ASSERT_EQ(
@@ -54,7 +54,7 @@ TEST(RunRecord, EventsGoFromStartToEnd) {
   EXPECT_GT(fraction, 0.3);
 }
 
-TEST(RunRecord, AnErrorEndsTheEventsAndTheLog) {
+TEST(RunJournal, AnErrorEndsTheEventsAndTheLog) {
   const TemporaryFolder folder;
   const auto bad = folder.file("bad.ply", "no mesh"), log = folder.file("log", "earlier\n");
   const Outcome outcome = run("build " + bad.string() + " -o " + (folder.path() / "m").string() +
@@ -75,7 +75,7 @@ TEST(RunRecord, AnErrorEndsTheEventsAndTheLog) {
   EXPECT_THAT(logged, HasSubstr("bad.ply"));
 }
 
-TEST(RunRecord, APlaceThatCannotBeWrittenIsNamed) {
+TEST(RunJournal, APlaceThatCannotBeWrittenIsNamed) {
   const TemporaryFolder folder;
   for (const std::string option : {"--events", "--log"}) {
     const Outcome outcome = run("synth -n 3 --vertices 2500 " + option + " /no/such/folder/file -o " +
