@@ -4,8 +4,7 @@
 
 #include <map>
 
-#include "foramen/parameterize/certificate.hpp"
-#include "foramen/parameterize/optimiser.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "parameterize/optimise_map.hpp"
 #include "topology/periods.hpp"

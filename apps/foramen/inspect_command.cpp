@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.hpp"
-#include "foramen/repair/remove_handles.hpp"
+#include "foramen/repair/handles.hpp"
 #include "remedy_words.hpp"
 #include "repair_options.hpp"
 #include "workflow/inspect_file.hpp"

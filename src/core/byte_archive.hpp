@@ -27,7 +27,7 @@
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/ids.hpp"
 #include "foramen/core/mesh.hpp"
-#include "foramen/core/type_traits.hpp"
+#include "foramen/core/options.hpp"
 
 namespace foramen {
 

@@ -16,8 +16,8 @@
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "match/robust_weight.hpp"
 
 namespace foramen {

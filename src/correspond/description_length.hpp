@@ -9,7 +9,7 @@
 
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 
 namespace foramen {
 

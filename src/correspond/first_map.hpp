@@ -5,8 +5,8 @@
 #include "correspond/propagate_loops.hpp"
 #include "correspond/transfer_homology.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {

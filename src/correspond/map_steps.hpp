@@ -6,8 +6,8 @@
 
 #include "correspond/first_map.hpp"
 #include "correspond/register_shape.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "parameterize/optimise_map.hpp"
 #include "simplify/working_mesh.hpp"
 

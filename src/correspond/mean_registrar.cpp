@@ -11,8 +11,8 @@
 #include "correspond/own_loops.hpp"
 #include "correspond/subdivide.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "sampling/lift_to_surface.hpp"
 
 namespace foramen {

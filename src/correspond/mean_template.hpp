@@ -8,8 +8,8 @@
 #include "correspond/template_surface.hpp"
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "sampling/lift_to_surface.hpp"
 

@@ -3,8 +3,8 @@
 /// Transfer of the reference's basepoint and loops to an aligned shape, as in the paper.
 
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 
 namespace foramen {

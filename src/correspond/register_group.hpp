@@ -13,8 +13,8 @@
 #include "correspond/register_shape.hpp"
 #include "correspond/surface_targets.hpp"
 #include "foramen/core/remedy.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "match/deform_template.hpp"
 #include "match/smooth_displacements.hpp"
 

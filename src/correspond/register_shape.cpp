@@ -3,7 +3,7 @@
 #include "correspond/map_steps.hpp"
 #include "correspond/propagate_loops.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/optimiser.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "parameterize/optimise_map.hpp"
 
 namespace foramen {

@@ -6,8 +6,8 @@
 #include "correspond/shape_map.hpp"
 #include "correspond/soft_neighbours.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/match/align.hpp"
 
 namespace foramen {

@@ -3,7 +3,7 @@
 /// The final map of a shape to the torus, with its certificate and statistics.
 
 #include "foramen/correspond/registration_frame.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "parameterize/optimise_map.hpp"
 
 namespace foramen {

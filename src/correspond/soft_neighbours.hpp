@@ -4,7 +4,7 @@
 /// neighbours on the reference.
 
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "parameterize/optimise_map.hpp"
 
 namespace foramen {

@@ -7,8 +7,8 @@
 
 #include "correspond/template_surface.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "parameterize/optimise_map.hpp"
 
 namespace foramen {

@@ -2,7 +2,7 @@
 /// \file
 /// The surface to which shapes are registered, with its map to the common torus.
 
-#include "foramen/core/surface_point.hpp"
+#include "foramen/core/mesh.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 

@@ -8,7 +8,6 @@
 #include "correspond/registered_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
 #include "foramen/spatial/surface_distance.hpp"
 #include "sampling/curvature_density.hpp"
 #include "sampling/error_density.hpp"

@@ -9,7 +9,6 @@
 
 #include "extract/extract_labels.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 

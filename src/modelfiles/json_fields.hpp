@@ -28,7 +28,6 @@
 #include "core/byte_archive.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
 

@@ -8,7 +8,6 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "foramen/core/options.hpp"
-#include "foramen/core/type_traits.hpp"
 #include "foramen/repair/repair_mesh.hpp"
 
 namespace foramen {

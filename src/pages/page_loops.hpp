@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "foramen/core/surface_point.hpp"
+#include "foramen/core/mesh.hpp"
 #include "modelfiles/atlas_file.hpp"
 
 namespace foramen {

@@ -1,4 +1,4 @@
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 
 #include <algorithm>
 #include <array>

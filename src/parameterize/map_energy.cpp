@@ -8,7 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/optimiser.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/parameterize/optimiser.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {

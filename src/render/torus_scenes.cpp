@@ -9,7 +9,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/core/surface_point.hpp"
+#include "foramen/core/mesh.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 #include "render/grid_cut.hpp"
 #include "render/unfold.hpp"

@@ -1,4 +1,4 @@
-#include "foramen/repair/find_handles.hpp"
+#include "foramen/repair/handles.hpp"
 
 #include <cstdlib>
 #include <numeric>

@@ -1,7 +1,7 @@
 #pragma once
 // The search for the next handle to remove.
 
-#include "foramen/repair/find_handles.hpp"
+#include "foramen/repair/handles.hpp"
 
 namespace foramen::repair_detail {
 

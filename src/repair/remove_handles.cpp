@@ -1,4 +1,4 @@
-#include "foramen/repair/remove_handles.hpp"
+#include "foramen/repair/handles.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -4,7 +4,7 @@
 
 #include "foramen/core/mesh.hpp"
 #include "foramen/core/options.hpp"
-#include "foramen/sampling/sampling_options.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 
 namespace foramen {
 

@@ -6,7 +6,7 @@
 
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/sampling/sampling_options.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "sampling/remesh.hpp"
 #include "sampling/torus_grid.hpp"

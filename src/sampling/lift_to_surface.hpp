@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "foramen/core/surface_point.hpp"
+#include "foramen/core/mesh.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 
 namespace foramen {

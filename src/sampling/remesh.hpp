@@ -10,7 +10,6 @@
 #include "foramen/core/run_context.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
 
 namespace foramen {
 

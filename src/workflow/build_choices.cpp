@@ -3,8 +3,7 @@
 #include <array>
 
 #include "foramen/core/error.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 
 namespace foramen {
 namespace {

@@ -8,10 +8,9 @@
 #include <string_view>
 
 #include "foramen/core/options.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/evaluate/evaluate.hpp"
-#include "foramen/parameterize/optimiser.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "foramen/stages/build_model.hpp"
 
 namespace foramen {

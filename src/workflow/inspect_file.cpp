@@ -6,7 +6,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/repair/remove_handles.hpp"
+#include "foramen/repair/handles.hpp"
 #include "modelfiles/mesh_report_json.hpp"
 #include "modelfiles/repair_record.hpp"
 

@@ -13,7 +13,7 @@
 #include "foramen/core/run_context.hpp"
 #include "foramen/core/units.hpp"
 #include "foramen/io/mesh_file.hpp"
-#include "foramen/repair/find_handles.hpp"
+#include "foramen/repair/handles.hpp"
 #include "foramen/topology/inspect_mesh.hpp"
 
 namespace foramen {

@@ -1,4 +1,4 @@
-#include "foramen/core/eigen_mesh.hpp"
+#include "foramen/core/mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "foramen/core/surface_point.hpp"
+#include "foramen/core/mesh.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "match/smooth_displacements.hpp"
 #include "support/lopsided_torus.hpp"
 

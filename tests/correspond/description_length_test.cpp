@@ -8,7 +8,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 
 namespace foramen {
 namespace {

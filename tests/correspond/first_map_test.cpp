@@ -9,9 +9,9 @@
 #include "correspond/transfer_homology.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/correspond/registration_options.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "support/lopsided_torus.hpp"
 #include "topology/linking.hpp"
 

@@ -9,8 +9,8 @@
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 
 namespace foramen {

@@ -6,8 +6,8 @@
 
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "sampling/torus_grid.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "correspond/knobbly_family.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "topology/periods.hpp"
 
 namespace foramen {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "support/meshes.hpp"
 #include "topology/periods.hpp"
 

@@ -10,7 +10,7 @@
 #include "correspond/register_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "support/lopsided_torus.hpp"

@@ -4,7 +4,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "support/lopsided_torus.hpp"
 
 namespace foramen {

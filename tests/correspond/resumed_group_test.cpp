@@ -9,7 +9,7 @@
 #include "correspond/register_shape.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "support/lopsided_torus.hpp"
 #include "support/memory_store.hpp"
 #include "support/torus_cohort.hpp"

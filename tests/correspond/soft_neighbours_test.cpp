@@ -6,7 +6,7 @@
 
 #include "foramen/core/geometry.hpp"
 #include "foramen/core/rng.hpp"
-#include "foramen/correspond/register_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "support/meshes.hpp"
 
 namespace foramen {

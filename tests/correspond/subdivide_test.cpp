@@ -4,7 +4,7 @@
 
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "sampling/lift_to_surface.hpp"
 
 namespace foramen {

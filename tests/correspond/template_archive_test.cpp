@@ -2,8 +2,8 @@
 #include "correspond/template_archive.hpp"
 #include "correspond/cohort_prior.hpp"
 #include "correspond/mean_template.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "sampling/lift_to_surface.hpp"
 
 #include <gtest/gtest.h>

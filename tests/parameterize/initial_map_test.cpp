@@ -4,7 +4,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "parameterize/mapped_torus.hpp"
 #include "support/real_meshes.hpp"
 #include "topology/periods.hpp"

@@ -10,7 +10,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "parameterize/initial_map.hpp"
 #include "parameterize/optimise_map.hpp"
 #include "support/meshes.hpp"

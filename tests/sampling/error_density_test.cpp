@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
-#include "foramen/sampling/sampling_options.hpp"
+#include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/mapped_tori.hpp"
 #include "sampling/torus_grid.hpp"
 

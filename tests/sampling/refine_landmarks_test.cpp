@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
 #include "sampling/mapped_cohort.hpp"
 #include "spatial/self_intersections.hpp"

@@ -6,9 +6,8 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
 #include "sampling/curvature_density.hpp"
 #include "sampling/lift_to_surface.hpp"
 #include "sampling/mapped_tori.hpp"

@@ -4,7 +4,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "foramen/parameterize/certificate.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "sampling/mapped_tori.hpp"
 
 namespace foramen {

@@ -6,9 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/option_bytes.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/register_options.hpp"
-#include "foramen/parameterize/optimiser.hpp"
+#include "foramen/correspond/registration_options.hpp"
+#include "foramen/parameterize/torus_map.hpp"
 #include "workflow/label_choices.hpp"
 
 namespace foramen {

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "foramen/core/surface_point.hpp"
+#include "foramen/core/mesh.hpp"
 
 namespace foramen {
 

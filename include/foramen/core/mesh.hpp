@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Triangle surfaces: the unchecked triangle soup that files hold, and the immutable manifold mesh on which
-/// all algorithms work.
+/// Triangle surfaces: the unchecked triangle soup that files hold, the immutable manifold mesh on which all
+/// algorithms work, points on it, and its exchange with Eigen matrices.
 
 #include <array>
 #include <memory>
@@ -108,5 +108,28 @@ class Mesh {
 /// along it in the same direction, for a vertex whose triangles do not form one fan, and for a vertex without
 /// triangles.
 Mesh build_mesh(TriangleSoup soup);
+
+/// Barycentric coordinates in a face; they sum to 1, each >= 0 up to rounding.
+struct SurfacePoint {
+  FaceId face;
+  Vec3 barycentric = Vec3::Zero();
+};
+
+/// The position in space, mm.
+inline Vec3 position(const Mesh& mesh, const SurfacePoint& p) {
+  const auto t = mesh.triangle(p.face);
+  return p.barycentric[0] * t[0] + p.barycentric[1] * t[1] + p.barycentric[2] * t[2];
+}
+
+/// Builds a mesh from matrices. Throws what build_mesh() throws.
+/// \param points  one row per vertex, mm
+/// \param triangles  one row per face: the indices of its corners, counter-clockwise seen from outside
+Mesh mesh_from_matrices(const Eigen::Ref<const Eigen::MatrixX3d>& points,
+                        const Eigen::Ref<const Eigen::MatrixX3i>& triangles);
+
+/// Returns one row per point.
+Eigen::MatrixX3d matrix_of(std::span<const Vec3> points);
+/// Returns one row per triangle.
+Eigen::MatrixX3i matrix_of(std::span<const std::array<int, 3>> triangles);
 
 }  // namespace foramen

@@ -18,6 +18,7 @@
 /// described struct, or a vector of described structs. A test counts the fields of every described struct, so
 /// that describe() cannot leave one out.
 
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string>
@@ -27,9 +28,23 @@
 #include <vector>
 
 #include "foramen/core/error.hpp"
-#include "foramen/core/type_traits.hpp"
 
 namespace foramen {
+
+/// `Value` is T or const T: for templates that accept both, to change the value or only to read it.
+template <class Value, class T>
+concept MaybeConst = std::same_as<std::remove_const_t<Value>, T>;
+
+namespace detail {
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+}  // namespace detail
 
 /// An interval of numbers, open or closed at either end. By default it contains every number.
 struct OptionRange {

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "foramen/core/shape.hpp"
-#include "foramen/correspond/group_options.hpp"
-#include "foramen/correspond/register_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/match/align.hpp"
 
 namespace foramen {

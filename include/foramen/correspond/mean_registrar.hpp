@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "foramen/core/run_context.hpp"
-#include "foramen/correspond/group_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 
 namespace foramen {
 

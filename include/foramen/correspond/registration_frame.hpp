@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "foramen/match/displacement_prior.hpp"
-#include "foramen/parameterize/certificate.hpp"
 #include "foramen/parameterize/torus_map.hpp"
 #include "foramen/topology/shortest_loops.hpp"
 

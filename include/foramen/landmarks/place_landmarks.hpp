@@ -12,7 +12,6 @@
 #include "foramen/correspond/correspond.hpp"
 #include "foramen/model/procrustes.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
-#include "foramen/sampling/sampling_options.hpp"
 
 namespace foramen {
 

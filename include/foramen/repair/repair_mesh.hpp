@@ -9,7 +9,7 @@
 
 #include "foramen/core/options.hpp"
 #include "foramen/core/run_context.hpp"
-#include "foramen/repair/remove_handles.hpp"
+#include "foramen/repair/handles.hpp"
 
 namespace foramen {
 

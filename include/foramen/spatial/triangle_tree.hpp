@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
-#include "foramen/core/surface_point.hpp"
 
 namespace foramen {
 
