@@ -30,6 +30,7 @@ int synth(const SynthCommand& command) {
 void add_synth_options(CLI::App& command, SynthOptions& options) {
   add_described(command, "-n,--shapes", options, "shapes");
   add_described(command, "--seed", options, "seed");
+  add_described(command, "--deformation", options, "deformation");
   add_described(command, "--modes", options, "modes");
   add_described(command, "--amplitude", options, "amplitude");
   add_described(command, "--correlation", options, "correlation");
