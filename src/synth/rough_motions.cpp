@@ -12,7 +12,7 @@
 namespace foramen::synth {
 namespace {
 
-// Standard deviations of the laws. They were chosen together with those of the random fields (rough_fields()).
+// Standard deviations of the laws. They were chosen together with those of the random fields (RoughDeformation).
 constexpr double left_right_correlation = 0.6;
 constexpr double growth_mm = 2.0, tilt_mm = 1.8;  // at the tip of a process
 constexpr double slide_mm = 0.7, turn = 0.12, facet_growth = 0.12;
@@ -71,8 +71,8 @@ LocalMotion motion_of(const Facet& facet, const Scores<5>& scores) {
               turning(turn * (scores[2] * along + scores[3] * across)) + facet_growth * scores[4] * in_plane};
 }
 
-// A random function of the angle around the body with unit variance. The sines and the even cosines are
-// symmetric left to right; the odd cosines and the even sines are not.
+// A random function of the angle around the body with unit variance. Even cosines and odd sines are symmetric
+// left to right and the others are antisymmetric, so their variances set the correlation of left and right.
 class RimLaw {
  public:
   explicit RimLaw(Rng& rng) {

@@ -4,11 +4,7 @@
 
 #include <cmath>
 
-#include "synth/random_flow.hpp"
-#include "synth/rough_motions.hpp"
 #include "synth/solids.hpp"
-#include "synth/vertebra_features.hpp"
-#include "synth/vertebra_surface.hpp"
 
 namespace foramen::synth {
 namespace {
@@ -36,39 +32,6 @@ TEST(LocalMotion, TheMirroredMotionMovesTheMirroredPoint) {
   motion.linear << 1, 2, 3, 4, 5, 6, 7, 8, 10;
   const Vec3 p(6, 1, 4);
   EXPECT_NEAR((mirrored(motion)(mirror.cwiseProduct(p)) - mirror.cwiseProduct(motion(p))).norm(), 0, 1e-12);
-}
-
-// The laws of the features mean something only where the features are.
-TEST(VertebraFeatures, LieOnTheTemplate) {
-  const auto off = [](const Vec3& p) { return std::abs(vertebra_surface(p).value); };
-  for (const int side : {1, -1})
-    for (const RimPoint& at : endplate_rim(side, 16))
-      EXPECT_LT(off(at.position), 3) << side << " " << at.angle;
-  for (const Facet& facet : left_facets()) {
-    EXPECT_LT(off(facet.centre), 1);
-    EXPECT_GT(vertebra_surface(facet.centre).gradient.normalized().dot(facet.normal), 0.9);
-  }
-  EXPECT_LT(off(spinous_process().tip), 2.5);
-  for (const Process& process : left_processes()) {
-    EXPECT_LT(off(process.tip), 2.5);
-    EXPECT_LT(vertebra_surface(process.base).value, 0);
-  }
-}
-
-TEST(RoughMotions, KeepSpaceUnfolded) {
-  constexpr double h = 1e-4;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Rng rng(seed);
-    const LocalMotions motions = rough_motions(rng);
-    for (const LocalMotion& motion : motions.all) {
-      const Vec3& p = motion.centre;
-      const auto q = carried_by_flow(
-          std::vector<Vec3>{p, p + h * Vec3::UnitX(), p + h * Vec3::UnitY(), p + h * Vec3::UnitZ()}, motions,
-          16);
-      const Vec3 x = q[1] - q[0], y = q[2] - q[0], z = q[3] - q[0];
-      EXPECT_GT(x.cross(y).dot(z), 0);
-    }
-  }
 }
 
 }  // namespace
