@@ -63,7 +63,7 @@ py::list synth(int shapes, std::uint64_t seed, const py::object& deformation, in
   SynthOptions options;
   options.shapes = shapes;
   options.seed = seed;
-  set_field(options.deformation, deformation, "deformation");
+  detail::set_field(options.deformation, deformation, "deformation");
   options.modes = modes;
   options.amplitude_mm = amplitude;
   options.correlation_mm = correlation;
