@@ -26,6 +26,7 @@ void add_synth(CLI::App& program, Run& run) {
   command->footer("Example:\n  foramen synth -n 14 --seed 1 -o cohort");
   add_described(*command, "-n,--shapes", shapes, "shapes");
   add_described(*command, "--seed", shapes, "seed");
+  add_described(*command, "--deformation", shapes, "deformation");
   add_described(*command, "--modes", shapes, "modes");
   add_described(*command, "--amplitude", shapes, "amplitude");
   add_described(*command, "--correlation", shapes, "correlation");

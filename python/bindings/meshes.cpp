@@ -10,6 +10,7 @@
 #include "foramen/synth/synth_cohort.hpp"
 #include "modelfiles/mesh_report_json.hpp"
 #include "modelfiles/repair_record.hpp"
+#include "options.hpp"
 #include "remedy_words.hpp"
 
 namespace foramen::python {
@@ -57,11 +58,12 @@ py::tuple repair(const PointArray& points, const TriangleArray& triangles, doubl
                         origin, text_of(repair_json(repaired.report)));
 }
 
-py::list synth(int shapes, std::uint64_t seed, int modes, double amplitude, double correlation, int vertices,
-               int threads, const py::object& progress) {
+py::list synth(int shapes, std::uint64_t seed, const py::object& deformation, int modes, double amplitude,
+               double correlation, int vertices, int threads, const py::object& progress) {
   SynthOptions options;
   options.shapes = shapes;
   options.seed = seed;
+  detail::set_field(options.deformation, deformation, "deformation");
   options.modes = modes;
   options.amplitude_mm = amplitude;
   options.correlation_mm = correlation;

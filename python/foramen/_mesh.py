@@ -55,13 +55,15 @@ def repair(mesh, *, handle_limit=12.0, hole_limit=20.0, threads=0, progress=None
     return Repaired(Mesh(points, triangles, mesh.space), origin, json.loads(report_text))
 
 
-def synth(shapes=14, *, seed=1, modes=4, amplitude=2.1, correlation=40.0, vertices=10000, threads=0, progress=None):
+def synth(shapes=14, *, seed=1, deformation="smooth", modes=4, amplitude=2.1, correlation=40.0, vertices=10000,
+          threads=0, progress=None):
     """Makes vertebra-like shapes with known correspondence: a list of pairs (surface, truth) of Mesh objects.
 
     The truths have identical triangles. amplitude: RMS displacement of a coordinate [mm]; correlation: the correlation
-    length of the displacement [mm].
+    length of the displacement [mm]. deformation: "smooth", or "rough" for shapes that also vary on fine scales, with
+    features that move by their own laws, spurs, noise and mixed numbers of vertices.
     """
-    made = _foramen.synth(shapes, seed, modes, amplitude, correlation, vertices, threads, progress)
+    made = _foramen.synth(shapes, seed, deformation, modes, amplitude, correlation, vertices, threads, progress)
     return [(Mesh(p, t), Mesh(tp, tt)) for p, t, tp, tt in made]
 
 

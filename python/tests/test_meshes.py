@@ -51,6 +51,13 @@ def test_synth_is_the_same_for_the_same_seed():
     assert np.array_equal(one[0][1].triangles, one[1][1].triangles)
 
 
+def test_synth_makes_rough_shapes_too():
+    smooth, rough = (foramen.synth(1, seed=5, vertices=2500, deformation=word)[0][1] for word in ("smooth", "rough"))
+    assert np.array_equal(smooth.triangles, rough.triangles) and not np.array_equal(smooth.points, rough.points)
+    with pytest.raises(foramen.InvalidInput, match="deformation must be one of smooth, rough"):
+        foramen.synth(1, deformation="coarse")
+
+
 def test_notes_on_a_file_are_warnings_of_the_caller(tmp_path, torus):
     foramen.write_mesh(tmp_path / "a.ply", torus)
     with open(tmp_path / "a.ply", "ab") as file:

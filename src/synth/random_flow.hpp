@@ -2,6 +2,7 @@
 /// \file
 /// Smooth random diffeomorphisms of space.
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,12 +32,21 @@ struct VelocityField {
 /// wave vectors.
 std::vector<VelocityField> random_velocity_fields(int count, const RandomFieldOptions& options, Rng& rng);
 
+/// A field like those of random_velocity_fields() whose value at a point has this correlation with the mirror
+/// image of its value at the mirrored point (mirror plane x = 0). It has 2 features waves, in mirrored pairs.
+/// \pre |left_right_correlation| <= 1
+VelocityField symmetric_velocity_field(double left_right_correlation, const RandomFieldOptions& options,
+                                       Rng& rng);
+
 /// sum_k weights[k] fields[k]. \pre as many weights as fields, at least one; all fields share their wave
 /// vectors
 VelocityField weighted_sum(std::span<const VelocityField> fields, std::span<const double> weights);
 
+/// A velocity at every point of space [mm per unit of time].
+using Velocity = std::function<Vec3(const Vec3& point)>;
+
 /// Moves points by the flow dx/dt = v(x) of a stationary field for one unit of time, with `steps` steps of
 /// the classical Runge-Kutta method. The flow of a smooth field is a diffeomorphism. \pre steps > 0
-std::vector<Vec3> carried_by_flow(std::span<const Vec3> points, const VelocityField& field, int steps = 8);
+std::vector<Vec3> carried_by_flow(std::span<const Vec3> points, const Velocity& velocity, int steps = 8);
 
 }  // namespace foramen

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <span>
 #include <sstream>
 #include <string>
 
@@ -13,6 +15,7 @@
 #include "foramen/core/rng.hpp"
 #include "synth/isosurface.hpp"
 #include "synth/random_flow.hpp"
+#include "synth/rough_deformation.hpp"
 #include "synth/vertebra_surface.hpp"
 
 namespace foramen {
@@ -26,7 +29,7 @@ constexpr int fewest_vertices =
 
 // Indices of the random streams: one for the cohort, and one for each random choice of an item.
 enum class CohortStream : std::uint64_t { shared_fields = 0, first_item = 1 };
-enum class ItemStream : std::uint64_t { lattice, deformation, order, pose };
+enum class ItemStream : std::uint64_t { lattice, deformation, order, pose, roughness, density, noise };
 
 Rng item_stream(const SynthOptions& options, int item, ItemStream purpose) {
   const Rng root(options.seed);
@@ -91,7 +94,7 @@ std::vector<double> mode_deviations(const SynthOptions& options) {
   return deviations;
 }
 
-VelocityField deformation(const SynthOptions& options, std::span<const VelocityField> shared, Rng& rng) {
+VelocityField smooth_field(const SynthOptions& options, std::span<const VelocityField> shared, Rng& rng) {
   if (options.modes == 0) {
     const auto own = random_velocity_fields(1, {.correlation_mm = options.correlation_mm}, rng);
     return weighted_sum(own, std::vector<double>{options.amplitude_mm});
@@ -130,22 +133,47 @@ TriangleSoup shuffled(const TriangleSoup& soup, Rng& rng) {
   return out;
 }
 
+using Carry = std::function<std::vector<Vec3>(std::span<const Vec3>)>;
+
+// The deformation of an item's template before it is posed.
+Carry deformation_of(const SynthOptions& options, int item, std::span<const VelocityField> shared) {
+  Carry smooth = [](std::span<const Vec3> points) { return std::vector<Vec3>(points.begin(), points.end()); };
+  if (options.amplitude_mm > 0) {
+    Rng rng = item_stream(options, item, ItemStream::deformation);
+    smooth = [field = smooth_field(options, shared, rng), steps = flow_steps(options)](
+                 std::span<const Vec3> points) { return carried_by_flow(points, field, steps); };
+  }
+  if (options.deformation == SynthDeformation::smooth) return smooth;
+  Rng rng = item_stream(options, item, ItemStream::roughness);
+  return [smooth, rough = synth::RoughDeformation(rng)](std::span<const Vec3> points) {
+    return smooth(rough.carried(points));
+  };
+}
+
+int vertices_of(const SynthOptions& options, int item) {
+  if (options.deformation == SynthDeformation::smooth) return options.vertices;
+  Rng rng = item_stream(options, item, ItemStream::density);
+  return std::max(fewest_vertices, synth::rough_vertex_count(options.vertices, rng));
+}
+
 SynthShape make_shape(const SynthOptions& options, int item, const TriangleSoup& truth,
                       std::span<const VelocityField> shared) {
   Rng lattice_rng = item_stream(options, item, ItemStream::lattice);
-  Rng deformation_rng = item_stream(options, item, ItemStream::deformation);
   Rng order_rng = item_stream(options, item, ItemStream::order);
   Rng pose_rng = item_stream(options, item, ItemStream::pose);
 
-  const VelocityField field = deformation(options, shared, deformation_rng);
-  const RigidTransform pose = random_motion(pose_rng, farthest_shift_mm);
-  const auto carried = [&](TriangleSoup soup) {
-    if (options.amplitude_mm > 0) soup.points = carried_by_flow(soup.points, field, flow_steps(options));
-    soup.points = transformed(soup.points, pose);
-    return soup;
-  };
+  const Carry deformation = deformation_of(options, item, shared);
   const RigidTransform lattice = random_motion(lattice_rng, lattice_spacing_mm);
-  return {shuffled(carried(triangulated_template(lattice, options.vertices)), order_rng), carried(truth)};
+  SynthShape shape{triangulated_template(lattice, vertices_of(options, item)), truth};
+  for (TriangleSoup* soup : {&shape.surface, &shape.truth}) soup->points = deformation(soup->points);
+  if (options.deformation == SynthDeformation::rough) {
+    Rng noise_rng = item_stream(options, item, ItemStream::noise);
+    synth::add_segmentation_noise(shape.surface, noise_rng);
+  }
+  const RigidTransform pose = random_motion(pose_rng, farthest_shift_mm);
+  for (TriangleSoup* soup : {&shape.surface, &shape.truth}) soup->points = transformed(soup->points, pose);
+  shape.surface = shuffled(shape.surface, order_rng);
+  return shape;
 }
 
 }  // namespace

@@ -48,16 +48,20 @@ struct FrozenCohort {
 };
 void PrintTo(const FrozenCohort& cohort, std::ostream* out) { *out << "seed " << cohort.seed; }
 
-class FrozenCohorts : public ::testing::TestWithParam<FrozenCohort> {};
-
-TEST_P(FrozenCohorts, AreWhatTheyWere) {
+void expect_as_it_was(const FrozenCohort& expected, const SynthOptions& options) {
   Checksum surfaces, truth;
-  for (const SynthShape& shape : synth_cohort({.shapes = checked, .seed = GetParam().seed}, RunContext())) {
+  for (const SynthShape& shape : synth_cohort(options, RunContext())) {
     surfaces.add(shape.surface);
     truth.add(shape.truth);
   }
-  EXPECT_EQ(surfaces.value(), GetParam().surfaces) << std::hex << "0x" << surfaces.value();
-  EXPECT_EQ(truth.value(), GetParam().truth) << std::hex << "0x" << truth.value();
+  EXPECT_EQ(surfaces.value(), expected.surfaces) << std::hex << "0x" << surfaces.value();
+  EXPECT_EQ(truth.value(), expected.truth) << std::hex << "0x" << truth.value();
+}
+
+class FrozenCohorts : public ::testing::TestWithParam<FrozenCohort> {};
+
+TEST_P(FrozenCohorts, AreWhatTheyWere) {
+  expect_as_it_was(GetParam(), {.shapes = checked, .seed = GetParam().seed});
 }
 
 INSTANTIATE_TEST_SUITE_P(Seed, FrozenCohorts,
@@ -68,8 +72,27 @@ INSTANTIATE_TEST_SUITE_P(Seed, FrozenCohorts,
                                            FrozenCohort{105, 0x7265c8b4be7c6520, 0x32e57966628dd6cf}),
                          [](const auto& test) { return std::to_string(test.param.seed); });
 
+class FrozenRoughCohorts : public ::testing::TestWithParam<FrozenCohort> {};
+
+// Figures on rough cohorts are published for shapes of about 3000 vertices.
+TEST_P(FrozenRoughCohorts, AreWhatTheyWere) {
+  SynthOptions options{.shapes = checked, .seed = GetParam().seed, .deformation = SynthDeformation::rough};
+  options.vertices = 3000;
+  expect_as_it_was(GetParam(), options);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seed, FrozenRoughCohorts,
+                         ::testing::Values(FrozenCohort{201, 0xbd73d96baf864a42, 0x810665477485f86f},
+                                           FrozenCohort{202, 0x95bc72e61f9d8147, 0x13ecfc0499af6e},
+                                           FrozenCohort{203, 0xa5a7a364b3e4377, 0xeb0f4232b9eaa521},
+                                           FrozenCohort{204, 0xda85f74ecaef3f02, 0xc05cbb311e951d},
+                                           FrozenCohort{205, 0xc092d8ef56e74b63, 0xfe0f4cbf3d74ba5d},
+                                           FrozenCohort{206, 0xa995f96b9f7a7a11, 0xe71479041e11b384}),
+                         [](const auto& test) { return std::to_string(test.param.seed); });
+
 TEST(SynthOptions, DefaultsAreFrozen) {
   const SynthOptions defaults;
+  EXPECT_EQ(defaults.deformation, SynthDeformation::smooth);
   EXPECT_EQ(defaults.shapes, 14);
   EXPECT_EQ(defaults.modes, 4);
   EXPECT_EQ(defaults.amplitude_mm, 2.1);

@@ -37,6 +37,29 @@ TEST(RandomFlow, FieldsHaveUnitVarianceAndTheStatedCorrelation) {
   }
 }
 
+TEST(RandomFlow, SymmetricFieldsHaveTheStatedCorrelationOfLeftAndRight) {
+  constexpr double correlation = 0.6;
+  const Vec3 left(30, -20, 10), right(-30, -20, 10), mirror(-1, 1, 1);
+  double variance = 0, product = 0;
+  constexpr int fields = 2000;  // the standard error of a mean of products is at most 0.02
+  for (int k = 0; k < fields; ++k) {
+    Rng rng(static_cast<std::uint64_t>(k));
+    const VelocityField v =
+        symmetric_velocity_field(correlation, {.correlation_mm = correlation_mm, .features = 32}, rng);
+    variance += v(left).squaredNorm() / 3 / fields;
+    product += v(left).dot(mirror.cwiseProduct(v(right))) / 3 / fields;
+  }
+  EXPECT_NEAR(variance, 1, 0.1);
+  EXPECT_NEAR(product, correlation, 0.1);
+}
+
+TEST(RandomFlow, AFullySymmetricFieldIsItsMirrorImage) {
+  Rng rng(4);
+  const VelocityField v = symmetric_velocity_field(1, {.correlation_mm = correlation_mm}, rng);
+  const Vec3 mirror(-1, 1, 1), p(12, 5, -30);
+  EXPECT_NEAR((mirror.cwiseProduct(v(mirror.cwiseProduct(p))) - v(p)).norm(), 0, 1e-12);
+}
+
 TEST(RandomFlow, AUniformFieldMovesByItself) {
   const VelocityField still{{Vec3::Zero()}, {Vec3(1, -2, 3)}, {Vec3(7, 7, 7)}};
   const std::vector<Vec3> points{Vec3(1, 1, 1), Vec3(-5, 0, 2)};

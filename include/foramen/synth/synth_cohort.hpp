@@ -3,6 +3,8 @@
 /// Synthetic cohorts of vertebra-like shapes with known correspondence.
 
 #include <cstdint>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
@@ -11,12 +13,30 @@
 
 namespace foramen {
 
+/// How the shapes of a cohort differ from the template.
+enum class SynthDeformation {
+  smooth,  ///< a smooth random deformation, and surfaces of one density without noise
+  /// The smooth deformation, and before it what registration by smooth deformations cannot foresee: random
+  /// deformations with correlation lengths of 16, 8 and 4 mm, growth and tilt of single processes, endplate
+  /// rims and facets that move by laws of their own, and spurs. Left and right are correlated. The surfaces
+  /// have different numbers of vertices and the noise of a segmentation.
+  rough,
+};
+template <>
+struct EnumWords<SynthDeformation> {
+  static constexpr std::pair<std::string_view, SynthDeformation> all[] = {
+      {"smooth", SynthDeformation::smooth}, {"rough", SynthDeformation::rough}};
+};
+
 /// The defaults and the shapes that they give must not change: published results identify a cohort by its
-/// seed alone, so they would not be comparable with new ones. A test checks the checksums of seeds 101 to
-/// 105.
+/// seed alone, so they would not be comparable with new ones. The same holds for rough cohorts. A test checks
+/// checksums of smooth and of rough cohorts.
 struct SynthOptions {
   int shapes = 14;         ///< >= 1
   std::uint64_t seed = 1;  ///< seed of the cohort; each item has its own random streams, forked from it
+  SynthDeformation deformation = SynthDeformation::smooth;
+  /// The next three options describe the smooth deformation, which a rough cohort has too.
+  ///
   /// Number of true modes of variation, with variances proportional to 1/k; 0: each shape has an independent
   /// random deformation.
   int modes = 4;
@@ -27,7 +47,8 @@ struct SynthOptions {
   double amplitude_mm = 2.1;
   /// Displacements at distance r are correlated by exp(-r^2 / (2 correlation_mm^2)) [mm]. > 0.
   double correlation_mm = 40.0;
-  /// Vertices per shape, within 5 %; at least 1500, since larger triangles would bridge thin processes.
+  /// Vertices per shape, within 5 %; at least 1500, since larger triangles would bridge thin processes. The
+  /// shapes of a rough cohort have 0.6 to 1.6 times as many, but not fewer than 1500.
   int vertices = 10000;
 };
 
@@ -35,6 +56,9 @@ template <class Visitor>
 void describe(Visitor& visit, MaybeConst<SynthOptions> auto& o) {
   visit(o.shapes, {.name = "shapes", .range = at_least(1).up_to(100000), .meaning = "number of shapes"});
   visit(o.seed, {.name = "seed", .meaning = "seed of all random numbers"});
+  visit(o.deformation, {.name = "deformation",
+                        .meaning = "smooth alone, or rough: also fine scales, features that move by their "
+                                   "own laws, spurs, noise and mixed densities"});
   visit(o.modes, {.name = "modes",
                   .range = at_least(0).up_to(1000),
                   .meaning = "true modes of variation; 0: every shape its own deformation"});
@@ -54,14 +78,14 @@ void describe(Visitor& visit, MaybeConst<SynthOptions> auto& o) {
 /// A synthetic shape and its true correspondence.
 struct SynthShape {
   TriangleSoup surface;  ///< the surface with its own triangulation, in random order and pose
-  /// A common template mesh with the same deformation and pose as the surface; its triangles are the same for
-  /// all shapes.
+  /// A common template mesh with the same deformation and pose as the surface, without its noise; its
+  /// triangles are the same for all shapes.
   TriangleSoup truth;
 };
 
 /// Makes a cohort from a template, a lumbar vertebra given as an implicit surface (vertebra_surface()). Each
 /// shape is triangulated independently and deformed by the flow of a smooth random velocity field, which is a
-/// diffeomorphism. All surfaces are closed manifolds of genus 1, wound outward.
+/// diffeomorphism. In a rough cohort other flows come before it (SynthDeformation::rough). All surfaces are closed manifolds of genus 1, wound outward.
 ///
 /// The field of item i is \f$ v_i = \sum_k b_{ik} V_k \f$, with \f$ b_{ik} \sim N(0, \sigma_k^2) \f$, \f$
 /// \sigma_k^2 \propto 1/k \f$, \f$ \sum_k \sigma_k^2 \f$ = amplitude^2 and V_k fields of the cohort; without
