@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "correspond/description_objective.hpp"
+#include "correspond/feature_targets.hpp"
 #include "correspond/first_map.hpp"
 #include "correspond/map_steps.hpp"
 #include "correspond/register_shape.hpp"
@@ -45,6 +46,7 @@ RigidTransform rigid(const SimilarityTransform& transform) {
 PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options)
     : surface(std::move(made)),
       metric(surface),
+      features(options.features.weight_mm2 > 0 ? curvature_features(surface.mesh, options.features) : VertexMap<Vec2>()),
       displacements(options.bending == Bending::rigid
                         ? Eigen::MatrixXd()
                         : smooth_displacements(surface.mesh.positions(), options.displacements)) {}
@@ -72,12 +74,12 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   result.homology = first.homology;
   result.seifert = first.seifert;
   member.map.map = std::move(first.map);
-  const auto targets = objective(member, aligned, to);
+  const auto targets = objective(member, aligned, to, false);
   // The first optimisation measures distortion in the plane, because the metric of the template is not
   // meaningful while the vertices are far from their targets.
   member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), targets.get());
   const double energy = member.map.initial_energy;
-  improve(member, aligned, to);
+  improve(member, aligned, to, false);
   member.map.initial_energy = energy;
 }
 
@@ -119,16 +121,21 @@ OptimisedMap MemberSteps::optimised(const Mesh& aligned, const TorusMap& start, 
 }
 
 std::unique_ptr<CorrespondenceObjective> MemberSteps::objective(const Member& member, const Mesh& aligned,
-                                                                const PreparedTemplate& to) const {
+                                                                const PreparedTemplate& to,
+                                                                bool by_features) const {
   if (!member.attractor.empty())
     return std::make_unique<DescriptionObjective>(aligned, to.metric.locator(), to.surface.map,
                                                   member.attractor);
-  return std::make_unique<SurfaceTargets>(aligned, to.surface, to.metric.tensors(), member.bent,
-                                          options_.targets);
+  auto targets = std::make_unique<SurfaceTargets>(aligned, to.surface, to.metric.tensors(), member.bent,
+                                                  options_.targets);
+  if (!by_features || options_.features.weight_mm2 <= 0) return targets;
+  return std::make_unique<FeatureTargets>(std::move(targets), aligned, to.metric.locator(), to.surface.map,
+                                          to.features, options_.features);
 }
 
-void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const {
-  const auto pull = objective(member, aligned, to);
+void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to,
+                          bool by_features) const {
+  const auto pull = objective(member, aligned, to, by_features);
   for (int k = 0; k < options_.metric_updates; ++k) {
     const int before = member.map.iterations;
     member.map = optimised(aligned, member.map.map, to, *pull);
@@ -140,7 +147,7 @@ void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTem
 void MemberSteps::finish(Member& member, const PreparedTemplate& to) const {
   const Mesh& input = *member.input;
   const Mesh aligned = transformed(input, member.to_template);
-  const auto pull = objective(member, aligned, to);
+  const auto pull = objective(member, aligned, to, true);
   RegisteredShape& result = member.result;
   result.shape_map = finished_map(input, member.working, member.map, [&](const TorusMap& start) {
     return optimised(aligned, start, to, *pull);

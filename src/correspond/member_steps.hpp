@@ -22,6 +22,7 @@ namespace foramen {
 struct PreparedTemplate {
   TemplateSurface surface;
   TemplateMetric metric;
+  VertexMap<Vec2> features;  // see curvature_features(); empty if they have no weight
   Eigen::MatrixXd displacements;
 
   PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options);
@@ -72,7 +73,7 @@ class MemberSteps {
   void newcomer_round(Member& member, std::span<const Vec2> turns, std::span<const Vec3> on_template,
                       const PreparedTemplate& to, const DisplacementPrior& prior) const;
   /// Optimises the map only, towards the template as it was bent last or towards the attractor.
-  void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const;
+  void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to, bool by_features = true) const;
   /// Carries the map from the working mesh to the input mesh, with all checks, and fills the result.
   void finish(Member& member, const PreparedTemplate& to) const;
 
@@ -85,7 +86,7 @@ class MemberSteps {
   OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
                          const CorrespondenceObjective& pull) const;
   std::unique_ptr<CorrespondenceObjective> objective(const Member& member, const Mesh& aligned,
-                                                     const PreparedTemplate& to) const;
+                                                     const PreparedTemplate& to, bool by_features) const;
 
   const Reference& reference_;
   RunContext single_;

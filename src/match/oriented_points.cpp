@@ -21,7 +21,7 @@ OrientedPointIndex index_of(const std::vector<OrientedPoint>& points, double nor
 }  // namespace
 
 OrientedPoint moved(const OrientedPoint& point, const RigidTransform& motion) {
-  return {motion * point.position, motion.linear() * point.normal, point.at_border};
+  return {motion * point.position, motion.linear() * point.normal, point.at_border, point.curvedness};
 }
 
 Vec3 mean_normal(const Vec3& a, const Vec3& b) {

@@ -15,6 +15,7 @@ struct OrientedPoint {
   Vec3 position;           ///< mm
   Vec3 normal;             ///< unit, outward
   bool at_border = false;  ///< Whether its triangle has a vertex on an open border of the surface.
+  double curvedness = 0;   ///< curvedness() of the surface there; 0 where it is not used
 };
 
 /// The point and its normal moved by a rigid transform.

@@ -85,6 +85,32 @@ void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
                               .meaning = "least cosine between the normals of a vertex and of its target"});
 }
 
+struct FeatureTargetsOptions {
+  double weight_mm2 = 0;
+  double robust_difference = 0.5;
+  double radius_mm = 2.5;
+  double half_way = 0.3;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<FeatureTargetsOptions> auto& o) {
+  visit(o.weight_mm2, {.name = "weight",
+                       .unit = "mm^2",
+                       .range = at_least(0),
+                       .meaning = "weight of the squared difference of the squashed curvatures"});
+  visit(o.radius_mm, {.name = "radius",
+                      .unit = "mm",
+                      .range = above(0),
+                      .meaning = "radius of the neighbourhood whose curvatures are compared"});
+  visit(o.half_way, {.name = "half_way",
+                     .unit = "1/mm",
+                     .range = above(0),
+                     .meaning = "curvature k0 in the squashed curvature tanh(k / k0)"});
+  visit(o.robust_difference,
+        {.name = "robust_difference",
+         .range = above(0),
+         .meaning = "difference of the squashed curvatures from which on their weight falls"});
+}
+
 struct DescriptionLengthOptions {
   double cut_mm2 = 0.01;  ///< lambda_c
 };
@@ -111,6 +137,7 @@ struct RegisterGroupOptions {
   DeformTemplateOptions first = {};
   DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};
   SurfaceTargetsOptions targets = {};
+  FeatureTargetsOptions features = {};
   int metric_updates = 2;
   int round_limit = 4;
   /// Converged if the RMS motion of the mean is below this. With Bending::cohort there are at least two
@@ -159,6 +186,7 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
   visit(o.first, {.name = "bending_first"});
   visit(o.again, {.name = "bending_again"});
   visit(o.targets, {.name = "targets", .nesting = Nesting::prefixed});
+  visit(o.features, {.name = "features", .nesting = Nesting::prefixed});
   visit(o.working_vertices, {.name = "working_vertices",
                              .range = at_least(16),
                              .meaning = "vertices of the simplified meshes that carry the search"});
