@@ -11,31 +11,55 @@
 
 namespace foramen {
 
-/// The two principal curvatures at each vertex, squashed: tanh(k / 0.3 mm).
+/// The two principal curvatures k at each vertex as tanh(k / k0), with k0 = 0.3 / mm. Like the mesh, they do not
+/// change if the surface is moved.
 VertexMap<Vec2> curvature_features(const Mesh& mesh, const FeatureTargetsOptions& options);
 
-/// Adds to an objective, for each vertex v of the shape at the place x of the template,
+/// The features of a template as a function of the position in the plane.
+class FeatureField {
+ public:
+  /// \param features  of the template's vertices, see curvature_features()
+  FeatureField(const TemplateSurface& surface, VertexMap<Vec2> features);
+  struct Value {
+    Vec2 features;
+    Mat2 slopes;  ///< change of the features by the plane position
+  };
+  /// \param locator  of the template
+  Value at(const TorusLocator& locator, const Vec2& plane_position) const;
+
+ private:
+  VertexMap<Vec2> features_;
+  VertexMap<Mat2> slopes_;  // mean of the triangles at each vertex, by area
+  Mat2 to_turns_;
+};
+
+/// Adds to an objective, for each vertex v of the shape that moves from its present place x0 to x,
 ///
-///     weight rho(|f_template(x) - f_shape(v)|^2),   rho(t) = t / (1 + t / s^2),
+///     weight w |f(x0) + f'(x0) (x - x0) - f_v|^2,   w = 1 / (1 + |f(x0) - f_v|^2 / s^2)^2,
 ///
-/// where f are the squashed principal curvatures. Ridges of the shape, such as the rims of the body and of the
-/// facets, are thus drawn to ridges of the template, along whose walls the nearest surface says nothing.
+/// where f is the FeatureField of the template and f_v the feature of the shape. This is a Gauss-Newton step of
+/// the robust squared difference. Ridges of the shape, such as the rims of the body and of the facets, are thus
+/// drawn to ridges of the template; the nearest surface says little about the place along it.
 class FeatureTargets : public CorrespondenceObjective {
  public:
-  /// \param features  of the template's vertices, see curvature_features(). Both are used as long as this object.
-  FeatureTargets(std::unique_ptr<CorrespondenceObjective> further, const Mesh& shape,
-                 const TorusLocator& template_locator, const TorusMap& template_map,
-                 const VertexMap<Vec2>& features, const FeatureTargetsOptions& options);
+  /// \param further  is used as long as this object
+  /// \param own  features of the shape
+  /// \param map  the present map of the shape
+  FeatureTargets(const CorrespondenceObjective& further, const VertexMap<Vec2>& own, const TorusMap& map,
+                 const FeatureField& field, const TorusLocator& locator,
+                 const FeatureTargetsOptions& options);
   Term term(VertexId v, const Vec2& plane_position) const override;
 
  private:
-  std::unique_ptr<CorrespondenceObjective> further_;
-  const TorusLocator& locator_;
-  const VertexMap<Vec2>& features_;
-  VertexMap<Vec2> own_;
-  Mat2 to_turns_;
-  FaceMap<Mat2> slopes_;  // of the template's features by plane position
-  FeatureTargetsOptions options_;
+  struct Linear {
+    Vec2 place;  // x0
+    Mat2 slopes;
+    Vec2 difference;  // f(x0) - f_v
+    double weight;
+  };
+  const CorrespondenceObjective& further_;
+  LatticeReducer reducer_;
+  std::vector<Linear> linear_;
 };
 
 }  // namespace foramen

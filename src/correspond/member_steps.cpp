@@ -46,10 +46,12 @@ RigidTransform rigid(const SimilarityTransform& transform) {
 PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options)
     : surface(std::move(made)),
       metric(surface),
-      features(options.features.weight_mm2 > 0 ? curvature_features(surface.mesh, options.features) : VertexMap<Vec2>()),
       displacements(options.bending == Bending::rigid
                         ? Eigen::MatrixXd()
-                        : smooth_displacements(surface.mesh.positions(), options.displacements)) {}
+                        : smooth_displacements(surface.mesh.positions(), options.displacements)) {
+  if (options.features.weight_mm2 > 0)
+    features.emplace(surface, curvature_features(surface.mesh, options.features));
+}
 
 OptimiseMapOptions MemberSteps::optimise_options() const {
   return {.lambda = options_.lambda,
@@ -74,12 +76,12 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   result.homology = first.homology;
   result.seifert = first.seifert;
   member.map.map = std::move(first.map);
-  const auto targets = objective(member, aligned, to, false);
+  const auto targets = objective(member, aligned, to);
   // The first optimisation measures distortion in the plane, because the metric of the template is not
   // meaningful while the vertices are far from their targets.
   member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), targets.get());
   const double energy = member.map.initial_energy;
-  improve(member, aligned, to, false);
+  improve(member, aligned, to);
   member.map.initial_energy = energy;
 }
 
@@ -113,32 +115,38 @@ std::vector<Vec3> MemberSteps::bent_onto(const Mesh& aligned, const PreparedTemp
 }
 
 OptimisedMap MemberSteps::optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
-                                    const CorrespondenceObjective& pull) const {
+                                    const CorrespondenceObjective& pull,
+                                    const VertexMap<Vec2>* features) const {
   const std::optional<TargetMetric> metric = options_.distortion == DistortionMeasure::on_template
                                                  ? std::optional(to.metric.at(aligned, start))
                                                  : std::nullopt;
-  return optimise_map(aligned, start, single_, optimise_options(), &pull, metric ? &*metric : nullptr);
+  const auto by = [&](const CorrespondenceObjective& objective) {
+    return optimise_map(aligned, start, single_, optimise_options(), &objective, metric ? &*metric : nullptr);
+  };
+  if (features == nullptr || !to.features) return by(pull);
+  return by(FeatureTargets(pull, *features, start, *to.features, to.metric.locator(), options_.features));
+}
+
+std::optional<VertexMap<Vec2>> MemberSteps::features_of(const Member& member, const Mesh& aligned) const {
+  if (options_.features.weight_mm2 <= 0 || !member.attractor.empty()) return std::nullopt;
+  return curvature_features(aligned, options_.features);
 }
 
 std::unique_ptr<CorrespondenceObjective> MemberSteps::objective(const Member& member, const Mesh& aligned,
-                                                                const PreparedTemplate& to,
-                                                                bool by_features) const {
+                                                                const PreparedTemplate& to) const {
   if (!member.attractor.empty())
     return std::make_unique<DescriptionObjective>(aligned, to.metric.locator(), to.surface.map,
                                                   member.attractor);
-  auto targets = std::make_unique<SurfaceTargets>(aligned, to.surface, to.metric.tensors(), member.bent,
-                                                  options_.targets);
-  if (!by_features || options_.features.weight_mm2 <= 0) return targets;
-  return std::make_unique<FeatureTargets>(std::move(targets), aligned, to.metric.locator(), to.surface.map,
-                                          to.features, options_.features);
+  return std::make_unique<SurfaceTargets>(aligned, to.surface, to.metric.tensors(), member.bent,
+                                          options_.targets);
 }
 
-void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to,
-                          bool by_features) const {
-  const auto pull = objective(member, aligned, to, by_features);
+void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const {
+  const auto pull = objective(member, aligned, to);
+  const auto features = features_of(member, aligned);
   for (int k = 0; k < options_.metric_updates; ++k) {
     const int before = member.map.iterations;
-    member.map = optimised(aligned, member.map.map, to, *pull);
+    member.map = optimised(aligned, member.map.map, to, *pull, features ? &*features : nullptr);
     member.map.iterations += before;
   }
   require_converged(member.map, "working");
@@ -147,10 +155,11 @@ void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTem
 void MemberSteps::finish(Member& member, const PreparedTemplate& to) const {
   const Mesh& input = *member.input;
   const Mesh aligned = transformed(input, member.to_template);
-  const auto pull = objective(member, aligned, to, true);
+  const auto pull = objective(member, aligned, to);
+  const auto features = features_of(member, aligned);
   RegisteredShape& result = member.result;
   result.shape_map = finished_map(input, member.working, member.map, [&](const TorusMap& start) {
-    return optimised(aligned, start, to, *pull);
+    return optimised(aligned, start, to, *pull, features ? &*features : nullptr);
   });
   result.agreement =
       require_map_like_reference(input, result.alignment.transform, result.shape_map.map, reference_);

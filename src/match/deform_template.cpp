@@ -74,10 +74,10 @@ class Fit {
 };
 
 // Adds what the smooth process leaves out.
-Mesh with_residual(const Mesh& surface, Mesh bent, const Mesh& shape, const ResidualFieldOptions& options,
-                   const RunContext& ctx) {
+Mesh with_residual(const Mesh& surface, Mesh bent, const Mesh& shape, const Curvedness& curvedness,
+                   const ResidualFieldOptions& options, const RunContext& ctx) {
   if (options.lengths_mm.empty()) return bent;
-  const TwoWayMatches matches(surface, shape, options.match);
+  const TwoWayMatches matches(surface, shape, options.match, curvedness);
   const std::vector<Vec3> smooth(bent.positions().begin(), bent.positions().end());
   Eigen::MatrixX3d residual = Eigen::MatrixX3d::Zero(surface.vertex_count(), 3);
   for (const double length : options.lengths_mm) {
@@ -102,16 +102,15 @@ std::vector<Vec3> deform_template(const Mesh& surface, const Eigen::MatrixXd& fu
   check(surface, functions, options, start);
   const Fit fit(surface, functions, prior);
   Mesh bent = start.empty() ? surface : surface.with_positions({start.begin(), start.end()});
-  MatchOptions fine = options.match;
-  fine.normal_weight = options.fine_normal_weight;
-  const TwoWayMatches coarse_matches(surface, shape, options.match), fine_matches(surface, shape, fine);
+  const bool curved = options.match.curved_share > 0 || options.residual.match.curved_share > 0;
+  const Curvedness curvedness = curved ? curvedness_of(surface, shape) : Curvedness{};
+  const TwoWayMatches matches(surface, shape, options.match, curvedness);
   for (const double noise : options.noise_mm)
     for (int k = 0; k < options.iterations; ++k) {
       ctx.check();
-      const TwoWayMatches& matches = noise <= options.fine_noise_mm ? fine_matches : coarse_matches;
       bent = fit.fitted(matches.pulls(bent, noise, surface.positions()));
     }
-  bent = with_residual(surface, std::move(bent), shape, options.residual, ctx);
+  bent = with_residual(surface, std::move(bent), shape, curvedness, options.residual, ctx);
   return {bent.positions().begin(), bent.positions().end()};
 }
 

@@ -31,8 +31,10 @@ std::vector<OrientedPoint> oriented_vertices(const Mesh& mesh);
 
 /// `count` points of a surface, stratified by area (sample_surface()), with normals interpolated from the
 /// vertices. Up to rounding, the samples of a moved surface are the moved samples of the surface.
-/// \param normals  normals of the vertices
+/// \param vertices  oriented_vertices() of the mesh; their curvedness is interpolated too
 /// \param seed  seed of the random draws
+std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const std::vector<OrientedPoint>& vertices,
+                                            int count, std::uint64_t seed);
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const VertexMap<Vec3>& normals, int count,
                                             std::uint64_t seed);
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, int count, std::uint64_t seed);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -60,6 +62,8 @@ VertexMap<PrincipalCurvatures> principal_curvatures(const Mesh& mesh, const Vert
   using Mat6 = Eigen::Matrix<double, 6, 6>;
   constexpr std::size_t fewest = 6;
   constexpr double ridge = 1e-3;  // keeps the fit of a neighbourhood on a line solvable
+  // With this factor the ridge is the same for all directions of the tangents.
+  constexpr double root_two = std::numbers::sqrt2;
   const VertexMap<double> areas = vertex_areas(mesh);
   VertexMap<PrincipalCurvatures> curvatures(mesh.vertex_count());
   Neighbourhood neighbourhood(mesh, normals, radius_mm);
@@ -74,14 +78,14 @@ VertexMap<PrincipalCurvatures> principal_curvatures(const Mesh& mesh, const Vert
       const double x = d.dot(first), y = d.dot(second);
       const double weight = areas[member] * std::exp(-2 * d.squaredNorm());
       Vec6 row;
-      row << x * x, x * y, y * y, x, y, 1;
+      row << x * x, root_two * x * y, y * y, x, y, 1;
       left += weight * row * row.transpose();
       right += weight * d.dot(normals[v]) * row;
     }
     left.diagonal().array() += ridge * left.trace() / 6;
     const Vec6 fit = left.ldlt().solve(right);
     Mat2 form;
-    form << -2 * fit[0], -fit[1], -fit[1], -2 * fit[2];
+    form << -2 * fit[0], -root_two * fit[1], -root_two * fit[1], -2 * fit[2];
     const Vec2 values = Eigen::SelfAdjointEigenSolver<Mat2>(form / radius_mm).eigenvalues();
     curvatures[v] = {values[1], values[0]};
   }

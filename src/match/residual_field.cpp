@@ -18,7 +18,7 @@ ResidualField::ResidualField(const Mesh& surface, double length_mm, double ampli
   for (VertexId v : surface.vertices()) area_[v.index] = std::max(least_area, areas[v]);
 
   // Slivers have cotangents beyond any bound, and negative ones would couple vertices that repel each other.
-  constexpr double least_cotangent = 0.05, largest_cotangent = 5;
+  constexpr double least_cotangent = 0, largest_cotangent = 5;
   std::vector<Eigen::Triplet<double>> entries;
   for (FaceId f : surface.faces()) {
     const auto corners = surface.corners(f);

@@ -15,7 +15,8 @@ namespace foramen {
 ///
 ///     1/2 E(r),   E(r) = 1 / (4 pi l^2 s^2) integral |r - l^2 Laplace r|^2 dA,
 ///
-/// with the correlation length l and, on a plane, the standard deviation s. The Laplacian is that of cotangents.
+/// with the correlation length l and, on a plane, the standard deviation s. The Laplacian is that of cotangents,
+/// which are limited to [0, 5].
 class ResidualField {
  public:
   /// \param length_mm  l > 0

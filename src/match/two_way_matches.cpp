@@ -21,7 +21,7 @@ std::vector<int> sampled_vertices(const Mesh& surface, int count) {
   return vertices;
 }
 
-std::vector<double> curvedness_of(const Mesh& mesh) {
+std::vector<double> curvedness_at_vertices(const Mesh& mesh) {
   std::vector<double> values;
   values.reserve(mesh.vertex_count());
   const auto curvatures = principal_curvatures(mesh, vertex_normals(mesh), curvature_radius_mm);
@@ -31,34 +31,29 @@ std::vector<double> curvedness_of(const Mesh& mesh) {
 
 }  // namespace
 
-TwoWayMatches::TwoWayMatches(const Mesh& surface, const Mesh& shape, const MatchOptions& options)
+Curvedness curvedness_of(const Mesh& surface, const Mesh& shape) {
+  return {curvedness_at_vertices(surface), curvedness_at_vertices(shape)};
+}
+
+TwoWayMatches::TwoWayMatches(const Mesh& surface, const Mesh& shape, const MatchOptions& options,
+                             const Curvedness& curvedness)
     : options_(options),
       vertices_(sampled_vertices(surface, options.samples)),
       area_per_sample_(total_area(shape) / options.samples),
       area_per_vertex_(total_area(surface) / options.samples) {
+  const bool curved = options.curved_share > 0;
   std::vector<OrientedPoint> points = oriented_vertices(shape);
-  std::vector<double> on_shape;
-  if (options.curved_share > 0) {
-    template_curvedness_ = curvedness_of(surface);
-    on_shape = curvedness_of(shape);
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].curvedness = on_shape[i];
-  }
+  if (curved) template_curvedness_ = curvedness.of_template;
+  for (std::size_t i = 0; curved && i < points.size(); ++i) points[i].curvedness = curvedness.of_shape[i];
+  shape_samples_ = oriented_samples(shape, points, options.samples, shape_seed);
   shape_vertices_.emplace(std::move(points), options.normal_weight);
-  shape_samples_ = oriented_samples(shape, options.samples, shape_seed);
-  if (options.curved_share > 0) {
-    const auto places = sample_surface(shape, options.samples, Rng(shape_seed));
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const auto corners = shape.corners(places[i].face);
-      for (std::size_t k = 0; k < 3; ++k)
-        shape_samples_[i].curvedness += places[i].barycentric[static_cast<Eigen::Index>(k)] * on_shape[corners[k].index];
-    }
-  }
 }
 
 std::vector<VertexPull> TwoWayMatches::pulls(const Mesh& bent, double noise_mm,
                                              std::span<const Vec3> origins) const {
   std::vector<OrientedPoint> points = oriented_vertices(bent);
-  for (std::size_t i = 0; i < template_curvedness_.size(); ++i) points[i].curvedness = template_curvedness_[i];
+  for (std::size_t i = 0; i < template_curvedness_.size(); ++i)
+    points[i].curvedness = template_curvedness_[i];
   const IndexedPoints on_template(std::move(points), options_.normal_weight);
   std::vector<VertexMatch> matches;
   matches.reserve(vertices_.size() + shape_samples_.size());

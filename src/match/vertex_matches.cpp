@@ -21,8 +21,8 @@ Mat3 match_precision(const VertexMatch& match, const OrientedPoint& at_vertex, c
   const double weight = tukey_weight(ratio * ratio) * match.area_mm2 / options.independent_area_mm2 /
                         (2 * scale.noise_mm * scale.noise_mm);
   const Vec3 normal = mean_normal(at_vertex.normal, match.partner.normal);
-  const double share = std::min(1.0, options.tangential_share + options.curved_share * at_vertex.curvedness *
-                                                                    match.partner.curvedness);
+  const double share = std::min(
+      1.0, options.tangential_share + options.curved_share * at_vertex.curvedness * match.partner.curvedness);
   return weight * ((1 - share) * normal * normal.transpose() + share * Mat3::Identity());
 }
 

@@ -86,10 +86,9 @@ void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
 }
 
 struct FeatureTargetsOptions {
-  double weight_mm2 = 0;
+  double weight_mm2 = 24;
   double robust_difference = 0.5;
   double radius_mm = 2.5;
-  double half_way = 0.3;
 };
 template <class Visitor>
 void describe(Visitor& visit, MaybeConst<FeatureTargetsOptions> auto& o) {
@@ -101,10 +100,6 @@ void describe(Visitor& visit, MaybeConst<FeatureTargetsOptions> auto& o) {
                       .unit = "mm",
                       .range = above(0),
                       .meaning = "radius of the neighbourhood whose curvatures are compared"});
-  visit(o.half_way, {.name = "half_way",
-                     .unit = "1/mm",
-                     .range = above(0),
-                     .meaning = "curvature k0 in the squashed curvature tanh(k / k0)"});
   visit(o.robust_difference,
         {.name = "robust_difference",
          .range = above(0),
@@ -135,7 +130,10 @@ struct RegisterGroupOptions {
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
   DeformTemplateOptions first = {};
-  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};
+  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25},
+                                 .iterations = 2,
+                                 .match = {.normal_weight = 4, .curved_share = 1},
+                                 .residual = {.lengths_mm = {5, 3}}};
   SurfaceTargetsOptions targets = {};
   FeatureTargetsOptions features = {};
   int metric_updates = 2;

@@ -102,7 +102,7 @@ struct ResidualFieldOptions {
   double amplitude_mm = 0.3;
   int iterations = 3;
   double noise_mm = 0.25;
-  MatchOptions match = {.tangential_share = 0.3, .independent_area_mm2 = 5};
+  MatchOptions match = {.normal_weight = 4, .tangential_share = 0.3, .independent_area_mm2 = 5};
 };
 template <class Visitor>
 void describe(Visitor& visit, MaybeConst<ResidualFieldOptions> auto& o) {
@@ -114,8 +114,7 @@ void describe(Visitor& visit, MaybeConst<ResidualFieldOptions> auto& o) {
                          .unit = "mm",
                          .range = above(0),
                          .meaning = "standard deviation of a coordinate of the residual displacement"});
-  visit(o.iterations,
-        {.name = "iterations", .range = at_least(1), .meaning = "iterations at every length"});
+  visit(o.iterations, {.name = "iterations", .range = at_least(1), .meaning = "iterations at every length"});
   visit(o.noise_mm,
         {.name = "noise", .unit = "mm", .range = above(0), .meaning = "standard deviation of a match"});
   visit(o.match, {.nesting = Nesting::inlined});
@@ -124,8 +123,6 @@ void describe(Visitor& visit, MaybeConst<ResidualFieldOptions> auto& o) {
 struct DeformTemplateOptions {
   std::vector<double> noise_mm = {4, 2, 1, 0.5, 0.25};  ///< Not empty.
   int iterations = 4;
-  double fine_noise_mm = 0.5;
-  double fine_normal_weight = 8;
   MatchOptions match = {};  ///< The number of samples holds for each of the two surfaces.
   ResidualFieldOptions residual = {};
 };
@@ -137,14 +134,6 @@ void describe(Visitor& visit, MaybeConst<DeformTemplateOptions> auto& o) {
                      .meaning = "standard deviation of a match, from coarse to fine"});
   visit(o.iterations,
         {.name = "iterations", .range = at_least(1), .meaning = "iterations at every level of noise"});
-  visit(o.fine_noise_mm, {.name = "fine_noise",
-                          .unit = "mm",
-                          .range = above(0),
-                          .meaning = "noise up to which the normal weight is that of fine matches"});
-  visit(o.fine_normal_weight, {.name = "fine_normal_weight",
-                               .unit = "mm",
-                               .range = at_least(0),
-                               .meaning = "normal weight of fine matches"});
   visit(o.match, {.nesting = Nesting::inlined});
   visit(o.residual, {.name = "residual", .nesting = Nesting::prefixed});
 }
