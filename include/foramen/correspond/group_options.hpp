@@ -129,7 +129,7 @@ struct RegisterGroupOptions {
   Bending bending = Bending::cohort;
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
-  DeformTemplateOptions first = {};
+  DeformTemplateOptions first = {.match = {.curved_share = 1}};
   DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25},
                                  .iterations = 2,
                                  .match = {.normal_weight = 4, .curved_share = 1},
