@@ -157,8 +157,8 @@ class PartFit {
     result.seen.assign(landmarks.points().size(), false);
     for (const VertexMatch& m : all) {
       if (!taken(m)) continue;
-      result.observations.push_back({m.vertex, m.partner.position,
-                                     match_precision(m, landmarks[m.vertex].normal, scale, options_.match)});
+      result.observations.push_back(
+          {m.vertex, m.partner.position, match_precision(m, landmarks[m.vertex], scale, options_.match)});
       result.seen[m.vertex] = true;
     }
     return result;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "correspond/description_objective.hpp"
+#include "correspond/feature_targets.hpp"
 #include "correspond/first_map.hpp"
 #include "correspond/map_steps.hpp"
 #include "correspond/register_shape.hpp"
@@ -47,7 +48,10 @@ PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOpti
       metric(surface),
       displacements(options.bending == Bending::rigid
                         ? Eigen::MatrixXd()
-                        : smooth_displacements(surface.mesh.positions(), options.displacements)) {}
+                        : smooth_displacements(surface.mesh.positions(), options.displacements)) {
+  if (options.features.weight_mm2 > 0)
+    features.emplace(surface, curvature_features(surface.mesh, options.features));
+}
 
 OptimiseMapOptions MemberSteps::optimise_options() const {
   return {.lambda = options_.lambda,
@@ -111,11 +115,21 @@ std::vector<Vec3> MemberSteps::bent_onto(const Mesh& aligned, const PreparedTemp
 }
 
 OptimisedMap MemberSteps::optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
-                                    const CorrespondenceObjective& pull) const {
+                                    const CorrespondenceObjective& pull,
+                                    const VertexMap<Vec2>* features) const {
   const std::optional<TargetMetric> metric = options_.distortion == DistortionMeasure::on_template
                                                  ? std::optional(to.metric.at(aligned, start))
                                                  : std::nullopt;
-  return optimise_map(aligned, start, single_, optimise_options(), &pull, metric ? &*metric : nullptr);
+  const auto by = [&](const CorrespondenceObjective& objective) {
+    return optimise_map(aligned, start, single_, optimise_options(), &objective, metric ? &*metric : nullptr);
+  };
+  if (features == nullptr || !to.features) return by(pull);
+  return by(FeatureTargets(pull, *features, start, *to.features, to.metric.locator(), options_.features));
+}
+
+std::optional<VertexMap<Vec2>> MemberSteps::features_of(const Member& member, const Mesh& aligned) const {
+  if (options_.features.weight_mm2 <= 0 || !member.attractor.empty()) return std::nullopt;
+  return curvature_features(aligned, options_.features);
 }
 
 std::unique_ptr<CorrespondenceObjective> MemberSteps::objective(const Member& member, const Mesh& aligned,
@@ -129,9 +143,10 @@ std::unique_ptr<CorrespondenceObjective> MemberSteps::objective(const Member& me
 
 void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const {
   const auto pull = objective(member, aligned, to);
+  const auto features = features_of(member, aligned);
   for (int k = 0; k < options_.metric_updates; ++k) {
     const int before = member.map.iterations;
-    member.map = optimised(aligned, member.map.map, to, *pull);
+    member.map = optimised(aligned, member.map.map, to, *pull, features ? &*features : nullptr);
     member.map.iterations += before;
   }
   require_converged(member.map, "working");
@@ -141,9 +156,10 @@ void MemberSteps::finish(Member& member, const PreparedTemplate& to) const {
   const Mesh& input = *member.input;
   const Mesh aligned = transformed(input, member.to_template);
   const auto pull = objective(member, aligned, to);
+  const auto features = features_of(member, aligned);
   RegisteredShape& result = member.result;
   result.shape_map = finished_map(input, member.working, member.map, [&](const TorusMap& start) {
-    return optimised(aligned, start, to, *pull);
+    return optimised(aligned, start, to, *pull, features ? &*features : nullptr);
   });
   result.agreement =
       require_map_like_reference(input, result.alignment.transform, result.shape_map.map, reference_);

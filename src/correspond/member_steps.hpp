@@ -3,10 +3,12 @@
 /// The steps of the registration of one shape of a group.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/kept_results.hpp"
+#include "correspond/feature_targets.hpp"
 #include "correspond/register_group.hpp"
 #include "correspond/register_shape.hpp"
 #include "correspond/template_metric.hpp"
@@ -22,6 +24,7 @@ namespace foramen {
 struct PreparedTemplate {
   TemplateSurface surface;
   TemplateMetric metric;
+  std::optional<FeatureField> features;  // unset if they have no weight
   Eigen::MatrixXd displacements;
 
   PreparedTemplate(TemplateSurface made, const RegisterGroupOptions& options);
@@ -82,8 +85,11 @@ class MemberSteps {
                               const DeformTemplateOptions& how, std::span<const Vec3> start,
                               const DisplacementPrior& prior) const;
   /// Optimises a map, with the distortion measured as options.distortion says.
+  /// \param features  of the shape, to agree with the template's; null: they do not matter
   OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
-                         const CorrespondenceObjective& pull) const;
+                         const CorrespondenceObjective& pull, const VertexMap<Vec2>* features) const;
+  /// Of the shape; unset if they do not matter.
+  std::optional<VertexMap<Vec2>> features_of(const Member& member, const Mesh& aligned) const;
   std::unique_ptr<CorrespondenceObjective> objective(const Member& member, const Mesh& aligned,
                                                      const PreparedTemplate& to) const;
 

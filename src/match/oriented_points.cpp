@@ -21,7 +21,7 @@ OrientedPointIndex index_of(const std::vector<OrientedPoint>& points, double nor
 }  // namespace
 
 OrientedPoint moved(const OrientedPoint& point, const RigidTransform& motion) {
-  return {motion * point.position, motion.linear() * point.normal, point.at_border};
+  return {motion * point.position, motion.linear() * point.normal, point.at_border, point.curvedness};
 }
 
 Vec3 mean_normal(const Vec3& a, const Vec3& b) {
@@ -40,8 +40,8 @@ std::vector<OrientedPoint> oriented_vertices(const Mesh& mesh) {
   return oriented_vertices(mesh, vertex_normals(mesh));
 }
 
-std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const VertexMap<Vec3>& normals, int count,
-                                            std::uint64_t seed) {
+std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const std::vector<OrientedPoint>& vertices,
+                                            int count, std::uint64_t seed) {
   const std::vector<SurfacePoint> places = sample_surface(mesh, count, Rng(seed));
   std::vector<OrientedPoint> samples;
   samples.reserve(places.size());
@@ -49,8 +49,11 @@ std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const VertexMap<Ve
     OrientedPoint sample{position(mesh, place), Vec3::Zero()};
     const auto corners = mesh.corners(place.face);
     for (std::size_t k = 0; k < 3; ++k) {
-      sample.normal += place.barycentric[static_cast<Eigen::Index>(k)] * normals[corners[k]];
-      sample.at_border = sample.at_border || mesh.is_boundary(corners[k]);
+      const OrientedPoint& corner = vertices[corners[k].index];
+      const double share = place.barycentric[static_cast<Eigen::Index>(k)];
+      sample.normal += share * corner.normal;
+      sample.curvedness += share * corner.curvedness;
+      sample.at_border = sample.at_border || corner.at_border;
     }
     sample.normal.normalize();
     samples.push_back(sample);
@@ -58,8 +61,13 @@ std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const VertexMap<Ve
   return samples;
 }
 
+std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const VertexMap<Vec3>& normals, int count,
+                                            std::uint64_t seed) {
+  return oriented_samples(mesh, oriented_vertices(mesh, normals), count, seed);
+}
+
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, int count, std::uint64_t seed) {
-  return oriented_samples(mesh, vertex_normals(mesh), count, seed);
+  return oriented_samples(mesh, oriented_vertices(mesh), count, seed);
 }
 
 IndexedPoints::IndexedPoints(std::vector<OrientedPoint> points, double normal_weight)

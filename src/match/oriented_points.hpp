@@ -15,6 +15,7 @@ struct OrientedPoint {
   Vec3 position;           ///< mm
   Vec3 normal;             ///< unit, outward
   bool at_border = false;  ///< Whether its triangle has a vertex on an open border of the surface.
+  double curvedness = 0;   ///< curvedness() of the surface there; 0 where it is not used
 };
 
 /// The point and its normal moved by a rigid transform.
@@ -30,8 +31,10 @@ std::vector<OrientedPoint> oriented_vertices(const Mesh& mesh);
 
 /// `count` points of a surface, stratified by area (sample_surface()), with normals interpolated from the
 /// vertices. Up to rounding, the samples of a moved surface are the moved samples of the surface.
-/// \param normals  normals of the vertices
+/// \param vertices  oriented_vertices() of the mesh; their curvedness is interpolated too
 /// \param seed  seed of the random draws
+std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const std::vector<OrientedPoint>& vertices,
+                                            int count, std::uint64_t seed);
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, const VertexMap<Vec3>& normals, int count,
                                             std::uint64_t seed);
 std::vector<OrientedPoint> oriented_samples(const Mesh& mesh, int count, std::uint64_t seed);

@@ -32,10 +32,11 @@ struct MatchScale {
 ///
 ///     P = w ((1 - s) n n^T + s I),   w = tukey(distance / cut) area / independent_area / (2 noise^2),
 ///
-/// n is the mean of both normals and s the tangential share. The factor 2 accounts for matches from both
+/// n is the mean of both normals and s = min(1, tangential_share + curved_share c_1 c_2) with the curvedness c of both
+/// points. The factor 2 accounts for matches from both
 /// surfaces, which observe each place twice.
-/// \param vertex_normal  normal of the template at the vertex
-Mat3 match_precision(const VertexMatch& match, const Vec3& vertex_normal, const MatchScale& scale,
+/// \param at_vertex  the template at the vertex
+Mat3 match_precision(const VertexMatch& match, const OrientedPoint& at_vertex, const MatchScale& scale,
                      const MatchOptions& options);
 
 }  // namespace foramen

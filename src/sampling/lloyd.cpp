@@ -112,8 +112,8 @@ Move to_torus(const LandmarkState& s, const Unfolded& ring, const Vec2& target) 
 
 Fixed2 rounded(const Vec2& fixed) { return {std::llround(fixed.x()), std::llround(fixed.y())}; }
 
-/// Makes all moves. If a triangle flips, the moves of its corners are halved and finally taken back. Without
-/// moves all triangles are positive, so this terminates.
+/// Makes all moves. If a triangle flips or nearly vanishes, the moves of its corners are halved and finally taken
+/// back. Without moves no triangle does, so this terminates.
 void make_moves(TorusTriangulation& mesh, const std::vector<Move>& moves) {
   std::vector<Fixed2> old(moves.size());
   std::vector<int> taken_back(moves.size(), 0);
@@ -121,6 +121,9 @@ void make_moves(TorusTriangulation& mesh, const std::vector<Move>& moves) {
     const int k = taken_back[v];
     mesh.set_place(v, k > halvings ? old[v] : old[v] + rounded(moves[v].turns * std::ldexp(1.0, -k)));
   };
+  std::vector<Int128> area_before(mesh.face_slots(), 0);
+  for (int f = 0; f < mesh.face_slots(); ++f)
+    if (mesh.face_alive(f)) area_before[f] = mesh.doubled_area(f);
   for (int v = 0; v < mesh.vertex_slots(); ++v)
     if (mesh.alive(v)) {
       old[v] = mesh.place(v);
@@ -132,7 +135,7 @@ void make_moves(TorusTriangulation& mesh, const std::vector<Move>& moves) {
   while (!suspects.empty()) {
     std::vector<int> changed;
     for (int f : suspects)
-      if (mesh.doubled_area(f) <= 0)
+      if (!TorusTriangulation::keeps_area(mesh.doubled_area(f), area_before[f]))
         for (int v : mesh.corners(f)) changed.push_back(v);
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());

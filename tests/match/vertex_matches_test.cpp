@@ -29,7 +29,7 @@ TEST(MatchPrecision, HoldsAcrossTheSurfaceAndLessAlongIt) {
   const VertexMatch match{7, {Vec3(1, 2, 3), Vec3::UnitX()}, 3, 10};
   const MatchOptions options{.tangential_share = 0.2, .independent_area_mm2 = 40};
   const MatchScale scale{.noise_mm = 0.5, .cut_mm = 6};
-  const Mat3 p = match_precision(match, Vec3::UnitY(), scale, options);
+  const Mat3 p = match_precision(match, {Vec3::Zero(), Vec3::UnitY()}, scale, options);
   const double weight = (1 - 0.25) * (1 - 0.25) * (10.0 / 40) / (2 * 0.25);
   const Vec3 across = Vec3(1, 1, 0).normalized(), along = Vec3(1, -1, 0).normalized();
   EXPECT_LT((p * across - weight * across).norm(), 1e-12);
@@ -41,7 +41,7 @@ TEST(MatchPrecision, EndsAtTheCut) {
   const MatchScale scale{.noise_mm = 1, .cut_mm = 2};
   for (const double distance : {2.0, 3.0}) {
     const VertexMatch match{0, {Vec3::Zero(), Vec3::UnitX()}, distance, 10};
-    EXPECT_TRUE(match_precision(match, Vec3::UnitX(), scale, {}).isZero(0));
+    EXPECT_TRUE(match_precision(match, {Vec3::Zero(), Vec3::UnitX()}, scale, {}).isZero(0));
   }
 }
 

@@ -190,6 +190,27 @@ void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
                               .meaning = "least cosine between the normals of a vertex and of its target"});
 }
 
+struct FeatureTargetsOptions {
+  double weight_mm2 = 24;
+  double robust_difference = 0.5;
+  double radius_mm = 2.5;
+};
+template <class Visitor>
+void describe(Visitor& visit, MaybeConst<FeatureTargetsOptions> auto& o) {
+  visit(o.weight_mm2, {.name = "weight",
+                       .unit = "mm^2",
+                       .range = at_least(0),
+                       .meaning = "weight of the squared difference of the squashed curvatures"});
+  visit(o.radius_mm, {.name = "radius",
+                      .unit = "mm",
+                      .range = above(0),
+                      .meaning = "radius of the neighbourhood whose curvatures are compared"});
+  visit(o.robust_difference,
+        {.name = "robust_difference",
+         .range = above(0),
+         .meaning = "difference of the squashed curvatures from which on their weight falls"});
+}
+
 struct DescriptionLengthOptions {
   double cut_mm2 = 0.01;  ///< lambda_c
 };
@@ -213,9 +234,13 @@ struct RegisterGroupOptions {
   Bending bending = Bending::cohort;
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
-  DeformTemplateOptions first = {};
-  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};
+  DeformTemplateOptions first = {.match = {.curved_share = 1}};
+  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25},
+                                 .iterations = 2,
+                                 .match = {.normal_weight = 4, .curved_share = 1},
+                                 .residual = {.lengths_mm = {5, 3}}};
   SurfaceTargetsOptions targets = {};
+  FeatureTargetsOptions features = {};
   int metric_updates = 2;
   int round_limit = 4;
   /// Converged if the RMS motion of the mean is below this. With Bending::cohort there are at least two
@@ -264,6 +289,7 @@ void describe(Visitor& visit, MaybeConst<RegisterGroupOptions> auto& o) {
   visit(o.first, {.name = "bending_first"});
   visit(o.again, {.name = "bending_again"});
   visit(o.targets, {.name = "targets", .nesting = Nesting::prefixed});
+  visit(o.features, {.name = "features", .nesting = Nesting::prefixed});
   visit(o.working_vertices, {.name = "working_vertices",
                              .range = at_least(16),
                              .meaning = "vertices of the simplified meshes that carry the search"});
