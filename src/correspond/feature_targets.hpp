@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "foramen/correspond/group_options.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "parameterize/optimise_map.hpp"
 #include "sampling/lift_to_surface.hpp"
