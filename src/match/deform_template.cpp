@@ -9,7 +9,6 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
-#include "match/residual_field.hpp"
 #include "match/two_way_matches.hpp"
 
 namespace foramen {
@@ -73,27 +72,6 @@ class Fit {
   PriorForm prior_;
 };
 
-// Adds what the smooth process leaves out.
-Mesh with_residual(const Mesh& surface, Mesh bent, const Mesh& shape, const Curvedness& curvedness,
-                   const ResidualFieldOptions& options, const RunContext& ctx) {
-  if (options.lengths_mm.empty()) return bent;
-  const TwoWayMatches matches(surface, shape, options.match, curvedness);
-  const std::vector<Vec3> smooth(bent.positions().begin(), bent.positions().end());
-  Eigen::MatrixX3d residual = Eigen::MatrixX3d::Zero(surface.vertex_count(), 3);
-  for (const double length : options.lengths_mm) {
-    const ResidualField field(surface, length, options.amplitude_mm);
-    for (int k = 0; k < options.iterations; ++k) {
-      ctx.check();
-      residual = field.most_probable(matches.pulls(bent, options.noise_mm, smooth), residual);
-      std::vector<Vec3> positions = smooth;
-      for (std::size_t i = 0; i < positions.size(); ++i)
-        positions[i] += residual.row(static_cast<Eigen::Index>(i)).transpose();
-      bent = surface.with_positions(std::move(positions));
-    }
-  }
-  return bent;
-}
-
 }  // namespace
 
 std::vector<Vec3> deform_template(const Mesh& surface, const Eigen::MatrixXd& functions, const Mesh& shape,
@@ -102,15 +80,12 @@ std::vector<Vec3> deform_template(const Mesh& surface, const Eigen::MatrixXd& fu
   check(surface, functions, options, start);
   const Fit fit(surface, functions, prior);
   Mesh bent = start.empty() ? surface : surface.with_positions({start.begin(), start.end()});
-  const bool curved = options.match.curved_share > 0 || options.residual.match.curved_share > 0;
-  const Curvedness curvedness = curved ? curvedness_of(surface, shape) : Curvedness{};
-  const TwoWayMatches matches(surface, shape, options.match, curvedness);
+  const TwoWayMatches matches(surface, shape, options.match);
   for (const double noise : options.noise_mm)
     for (int k = 0; k < options.iterations; ++k) {
       ctx.check();
-      bent = fit.fitted(matches.pulls(bent, noise, surface.positions()));
+      bent = fit.fitted(matches.pulls(bent, noise));
     }
-  bent = with_residual(surface, std::move(bent), shape, curvedness, options.residual, ctx);
   return {bent.positions().begin(), bent.positions().end()};
 }
 

@@ -31,26 +31,23 @@ std::vector<double> curvedness_at_vertices(const Mesh& mesh) {
 
 }  // namespace
 
-Curvedness curvedness_of(const Mesh& surface, const Mesh& shape) {
-  return {curvedness_at_vertices(surface), curvedness_at_vertices(shape)};
-}
-
-TwoWayMatches::TwoWayMatches(const Mesh& surface, const Mesh& shape, const MatchOptions& options,
-                             const Curvedness& curvedness)
-    : options_(options),
+TwoWayMatches::TwoWayMatches(const Mesh& surface, const Mesh& shape, const MatchOptions& options)
+    : surface_(surface),
+      options_(options),
       vertices_(sampled_vertices(surface, options.samples)),
       area_per_sample_(total_area(shape) / options.samples),
       area_per_vertex_(total_area(surface) / options.samples) {
-  const bool curved = options.curved_share > 0;
   std::vector<OrientedPoint> points = oriented_vertices(shape);
-  if (curved) template_curvedness_ = curvedness.of_template;
-  for (std::size_t i = 0; curved && i < points.size(); ++i) points[i].curvedness = curvedness.of_shape[i];
+  if (options.curved_share > 0) {
+    template_curvedness_ = curvedness_at_vertices(surface);
+    const std::vector<double> of_shape = curvedness_at_vertices(shape);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].curvedness = of_shape[i];
+  }
   shape_samples_ = oriented_samples(shape, points, options.samples, shape_seed);
   shape_vertices_.emplace(std::move(points), options.normal_weight);
 }
 
-std::vector<VertexPull> TwoWayMatches::pulls(const Mesh& bent, double noise_mm,
-                                             std::span<const Vec3> origins) const {
+std::vector<VertexPull> TwoWayMatches::pulls(const Mesh& bent, double noise_mm) const {
   std::vector<OrientedPoint> points = oriented_vertices(bent);
   for (std::size_t i = 0; i < template_curvedness_.size(); ++i)
     points[i].curvedness = template_curvedness_[i];
@@ -79,7 +76,7 @@ std::vector<VertexPull> TwoWayMatches::pulls(const Mesh& bent, double noise_mm,
     }
     VertexPull& pull = all[slot[v]];
     pull.weight += w;
-    pull.weighted_shift += w * (m.partner.position - origins[m.vertex]);
+    pull.weighted_shift += w * (m.partner.position - surface_.position(v));
   }
   return all;
 }

@@ -13,15 +13,10 @@ namespace foramen {
 /// All matches of one template vertex combined to \f$ (x - target)^T W (x - target) \f$ of its position x.
 struct VertexPull {
   int vertex = -1;
-  Mat3 weight = Mat3::Zero();          ///< W, mm^-2
-  Vec3 weighted_shift = Vec3::Zero();  ///< W (target - origin), with the vertex's position before it was bent
+  Mat3 weight = Mat3::Zero();  ///< W, mm^-2
+  Vec3 weighted_shift =
+      Vec3::Zero();  ///< W (target - origin), from the position of the vertex before it was bent
 };
-
-/// curvedness() at the vertices of a template and of a shape.
-struct Curvedness {
-  std::vector<double> of_template, of_shape;
-};
-Curvedness curvedness_of(const Mesh& surface, const Mesh& shape);
 
 /// Matches points of each surface with the nearest points of the other by position and normal. Tukey's
 /// biweight removes points without partner.
@@ -29,15 +24,14 @@ class TwoWayMatches {
  public:
   /// \param surface  the template before it is bent
   /// \param shape  aligned to the template
-  /// \param curvedness  at the vertices of both surfaces; only used with a curved share
-  TwoWayMatches(const Mesh& surface, const Mesh& shape, const MatchOptions& options,
-                const Curvedness& curvedness);
+  TwoWayMatches(const Mesh& surface, const Mesh& shape, const MatchOptions& options);
 
-  /// The pulls on the bent template, for a standard deviation of each independent match in the direction of the
-  /// normals. Shifts are measured from `origins`.
-  std::vector<VertexPull> pulls(const Mesh& bent, double noise_mm, std::span<const Vec3> origins) const;
+  /// The pulls on the bent template, for a standard deviation of each independent match in the direction of
+  /// the normals.
+  std::vector<VertexPull> pulls(const Mesh& bent, double noise_mm) const;
 
  private:
+  const Mesh& surface_;
   MatchOptions options_;
   std::vector<double> template_curvedness_;  // empty if no curvature is used
   std::optional<IndexedPoints> shape_vertices_;

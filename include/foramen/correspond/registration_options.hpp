@@ -235,10 +235,8 @@ struct RegisterGroupOptions {
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
   DeformTemplateOptions first = {.match = {.curved_share = 1}};
-  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25},
-                                 .iterations = 2,
-                                 .match = {.normal_weight = 4, .curved_share = 1},
-                                 .residual = {.lengths_mm = {5, 3}}};
+  DeformTemplateOptions again = {
+      .noise_mm = {1, 0.5, 0.25}, .iterations = 2, .match = {.normal_weight = 4, .curved_share = 1}};
   SurfaceTargetsOptions targets = {};
   FeatureTargetsOptions features = {};
   int metric_updates = 2;

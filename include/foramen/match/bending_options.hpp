@@ -96,35 +96,10 @@ void describe(Visitor& visit, MaybeConst<MatchOptions> auto& o) {
                             .meaning = "the median counts as no less than this"});
 }
 
-/// The displacement that is left out by the smooth process: ResidualField.
-struct ResidualFieldOptions {
-  std::vector<double> lengths_mm = {};
-  double amplitude_mm = 0.3;
-  int iterations = 3;
-  double noise_mm = 0.25;
-  MatchOptions match = {.normal_weight = 4, .tangential_share = 0.3, .independent_area_mm2 = 5};
-};
-template <class Visitor>
-void describe(Visitor& visit, MaybeConst<ResidualFieldOptions> auto& o) {
-  visit(o.lengths_mm, {.name = "lengths",
-                       .unit = "mm",
-                       .range = above(0),
-                       .meaning = "correlation lengths of the residual displacement, from coarse to fine"});
-  visit(o.amplitude_mm, {.name = "amplitude",
-                         .unit = "mm",
-                         .range = above(0),
-                         .meaning = "standard deviation of a coordinate of the residual displacement"});
-  visit(o.iterations, {.name = "iterations", .range = at_least(1), .meaning = "iterations at every length"});
-  visit(o.noise_mm,
-        {.name = "noise", .unit = "mm", .range = above(0), .meaning = "standard deviation of a match"});
-  visit(o.match, {.nesting = Nesting::inlined});
-}
-
 struct DeformTemplateOptions {
   std::vector<double> noise_mm = {4, 2, 1, 0.5, 0.25};  ///< Not empty.
   int iterations = 4;
   MatchOptions match = {};  ///< The number of samples holds for each of the two surfaces.
-  ResidualFieldOptions residual = {};
 };
 template <class Visitor>
 void describe(Visitor& visit, MaybeConst<DeformTemplateOptions> auto& o) {
@@ -135,7 +110,6 @@ void describe(Visitor& visit, MaybeConst<DeformTemplateOptions> auto& o) {
   visit(o.iterations,
         {.name = "iterations", .range = at_least(1), .meaning = "iterations at every level of noise"});
   visit(o.match, {.nesting = Nesting::inlined});
-  visit(o.residual, {.name = "residual", .nesting = Nesting::prefixed});
 }
 
 }  // namespace foramen
