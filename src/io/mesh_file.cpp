@@ -41,8 +41,8 @@ bool is_whole_binary_stl(std::string_view bytes) {
   return bytes.size() == preamble + facet * facets;
 }
 
-// The extension of the format that the beginning of a file shows beyond doubt; empty where there is doubt. OBJ
-// and OFF without its word have no mark.
+// The extension of the format that the beginning of a file shows beyond doubt; empty where there is doubt.
+// OBJ and OFF without its word have no mark.
 std::string_view format_in(std::string_view bytes) {
   if (is_whole_binary_stl(bytes)) return ".stl";
   constexpr std::size_t looked_at = 1024;

@@ -1,5 +1,6 @@
-// Legacy VTK: PolyData, and unstructured grids whose cells are those of a surface. Not read by the VTK library, because VTK 9.1 crashes on a file that ends within its
-// cells and returns uninitialised memory for points that are missing.
+// Legacy VTK: PolyData, and unstructured grids whose cells are those of a surface. Not read by the VTK
+// library, because VTK 9.1 crashes on a file that ends within its cells and returns uninitialised memory
+// for points that are missing.
 #include <algorithm>
 #include <array>
 #include <optional>

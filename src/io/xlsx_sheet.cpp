@@ -26,7 +26,7 @@ const XmlElement* child(const XmlElement& parent, std::string_view name) {
   return found == parent.children.end() ? nullptr : &*found;
 }
 
-// The text of <si> or <is>, which is whole or in runs of different fonts. Readings in <rPh> are no part of it.
+// The text of <si> or <is>, which is whole or in runs of different fonts. Readings (<rPh>) are no part.
 std::string text_of(const XmlElement& item) {
   std::string text;
   for (const XmlElement& element : item.children)
@@ -95,8 +95,8 @@ class Workbook {
     source_.refuse("is a spreadsheet whose sheet " + in_quotes(sheet) + " is missing", remedy_export_again);
   }
 
-  // The cells of a row that are not empty, by the letters of their columns. A cell without a place follows the
-  // one before.
+  // The cells of a row that are not empty, by the letters of their columns. A cell without a place follows
+  // the one before.
   std::map<std::string, std::string> cells_of(const XmlElement& row) {
     std::map<std::string, std::string> cells;
     std::string column;

@@ -22,9 +22,9 @@ class ZipArchive {
   /// \param most_bytes  all that file() gives may together have this size
   ZipArchive(const Source& source, std::uint64_t most_bytes);
 
-  /// The bytes of a file; nullopt if there is none of that name. Throws IoError if they are damaged, encrypted,
-  /// packed by another method than deflate, or more than what is left of `most_bytes`. Memory is allocated only
-  /// for sizes that the packed bytes can hold.
+  /// The bytes of a file; nullopt if there is none of that name. Throws IoError if they are damaged,
+  /// encrypted, packed by another method than deflate, or more than what is left of `most_bytes`. Memory is
+  /// allocated only for sizes that the packed bytes can hold.
   std::optional<std::string> file(const std::string& name);
 
  private:
