@@ -274,7 +274,9 @@ class LegacyVtk {
     end_data(count);
   }
 
+  // The points of a grid often serve other cells that were taken out of it.
   void add_grid_cells() {
+    soup_.pass_over_unused_points();
     const std::size_t count = grid_cells_.offsets.empty() ? 0 : grid_cells_.offsets.size() - 1;
     if (grid_types_.size() != count)
       source_.refuse(
