@@ -15,6 +15,7 @@
 #include "io/named_points.hpp"
 #include "io/scalismo_landmarks.hpp"
 #include "io/shapeworks_project.hpp"
+#include "io/zip_bytes.hpp"
 #include "modelfiles/atlas_file.hpp"
 #include "modelfiles/metrics_file.hpp"
 #include "soup_bytes.hpp"
@@ -74,6 +75,10 @@ void write_meshes(const fs::path& folder) {
              "bit\n1 0\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 1 1 0\nVERTICES 2 1\nOFFSETS vtktypeint64\n0 1\n"
              "CONNECTIVITY vtktypeint64\n0\nTRIANGLE_STRIPS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY "
              "vtktypeint64\n0 1 2 3\n");
+  write_file(
+      folder / "grid.vtk",
+      "# vtk DataFile Version 2.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 "
+      "0 1 1 0\nCELLS 4 17\n3 0 1 2\n4 0 1 2 3\n4 0 1 2 3\n2 0 3\nCELL_TYPES 4\n5\n8\n6\n3\n");
   for (const auto& file : testing::malformed::all_files())
     write_file(folder / (file.name + "." + file.extension), file.bytes);
 }
@@ -134,6 +139,13 @@ void write_exchange_files(const fs::path& folder) {
   subject.name = "a";
   subject.local_particles = "a.particles";
   write_shapeworks(folder / "a.swproj", std::vector{subject}, soup.points.size());
+  const std::string rows =
+      "<row><c t=\"s\"><v>0</v></c><c t=\"inlineStr\"><is><t>shape_1</t></is></c></row>"
+      "<row><c r=\"A2\"><v>7</v></c><c r=\"B2\" t=\"str\"><v>a.ply</v></c></row>";
+  for (const bool deflate : {true, false})
+    write_file(folder / (deflate ? "deflated.xlsx" : "stored.xlsx"),
+               testing::zip_bytes(testing::spreadsheet(rows, "<si><t>name</t></si>"), deflate));
+  write_file(folder / "missing.tps", "LM=1\n1 2 3\nLM3=1\nNA 2 3\nCURVES=1\nPOINTS=1\n1 2\n");
 }
 
 void write_soups(const fs::path& folder) {

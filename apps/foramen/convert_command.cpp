@@ -64,7 +64,7 @@ void add_convert(CLI::App& program, Run& run) {
   command
       ->add_option("input", request.input,
                    "a model's folder, model.h5 or .h5.json, a folder of corresponding meshes, a ShapeWorks "
-                   "project (.swproj), .tps, or a landmark table (.csv)")
+                   "project (.swproj, .xlsx), .tps, or a landmark table (.csv)")
       ->required();
   command
       ->add_option("-o,--output", request.output,

@@ -69,8 +69,8 @@ def convert(input, output, *, to=None, units=None, triangles=None, scale=None, t
 
     Returns a dict with output, files, shapes, landmarks and notes.
 
-    input: a model's folder, model.h5 or .h5.json, a folder of corresponding meshes, .swproj, .tps or a landmark table
-    .csv. output: a file, whose format follows from its extension (.h5 .h5.json .swproj .tps .csv), or a folder of
+    input: a model's folder, model.h5 or .h5.json, a folder of corresponding meshes, .swproj, .xlsx, .tps or a landmark
+    table .csv. output: a file, whose format follows from its extension (.h5 .h5.json .swproj .tps .csv), or a folder of
     meshes. to: the format, as in `foramen convert --to`, if the extension does not determine it; units: the unit of the
     input's shapes; triangles: a mesh file, for inputs of points without triangles; scale: "keep" or "remove", if a
     model is made from shapes.

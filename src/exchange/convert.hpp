@@ -46,7 +46,7 @@ struct EnumWords<ExchangeFormat> {
 
 struct ConvertRequest {
   /// A model's folder, model.h5, model.h5.json, a folder of corresponding meshes, a ShapeWorks project
-  /// (.swproj), .tps, or a landmark table (.csv).
+  /// (.swproj, .xlsx), .tps, or a landmark table (.csv).
   std::filesystem::path input;
   std::filesystem::path output;
   std::optional<ExchangeFormat> format = std::nullopt;  ///< unset: by the extension; ply for a folder

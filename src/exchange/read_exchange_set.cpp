@@ -132,6 +132,13 @@ ExchangeSet read_points(std::vector<NamedPoints> specimens) {
   return set;
 }
 
+ExchangeSet read_tps_file(const fs::path& file) {
+  TpsFile tps = read_tps(file);
+  ExchangeSet set = read_points(std::move(tps.specimens));
+  for (const std::string& note : tps.notes) set.notes.emplace_back(file.filename().string() + ": " + note);
+  return set;
+}
+
 ExchangeSet read_project(const fs::path& file) {
   ExchangeSet set;
   for (const ShapeWorksSubject& subject : read_shapeworks(file)) {
@@ -203,20 +210,16 @@ ExchangeSet read_by_kind(const ConvertRequest& request) {
     return set;
   }
   ExchangeSet set;
-  if (extension == ".swproj")
+  if (extension == ".swproj" || extension == ".xlsx")
     set = read_project(input);
   else if (extension == ".tps")
-    set = read_points(read_tps(input));
+    set = read_tps_file(input);
   else if (extension == ".csv")
     set = read_points(read_landmark_table(input));
-  else if (extension == ".xlsx")
-    throw InvalidInput(input.string() +
-                       ": is a spreadsheet; save the project as .swproj in ShapeWorks Studio, or a table of "
-                       "landmarks as .csv");
   else
     throw InvalidInput(input.string() +
                        ": is none of what can be converted: a model's folder, .h5, .h5.json, a folder of "
-                       "corresponding meshes or of .particles, .swproj, .tps, .csv");
+                       "corresponding meshes or of .particles, .swproj, .xlsx, .tps, .csv");
   to_millimetres(set, request.unit.length);
   return set;
 }

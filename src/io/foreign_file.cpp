@@ -43,6 +43,8 @@ constexpr std::array kinds{
     Kind{0, "\x89HDF\r\n"sv, "an HDF5 file", "if it is a model, give it to a command that takes models"},
     Kind{0, "ISO-10303-21;"sv, "a STEP file of CAD",
          "tessellate it and save it as STL, e.g. by FreeCAD or Gmsh"},
+    Kind{0, "\xd0\xcf\x11\xe0"sv, "a file of Office, of an old version or with a password",
+         "save it in a newer format without a password"},
     Kind{0, "BLENDER"sv, "a Blender scene", "export the surface from Blender as PLY or STL"},
     Kind{0, "glTF\2"sv, "a glTF scene", remedy_surface},
     Kind{0, "Kaydara FBX"sv, "an FBX scene", remedy_surface},

@@ -1,5 +1,6 @@
 #include "foramen/io/mesh_file.hpp"
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -30,6 +31,39 @@ const Format* format_of(const std::filesystem::path& path) {
     if (plain.size() > std::string_view(format.extension).size() && plain.ends_with(format.extension))
       return &format;
   return nullptr;
+}
+
+bool is_whole_binary_stl(std::string_view bytes) {
+  constexpr std::size_t header = 80, preamble = header + 4, facet = 50;
+  if (bytes.size() < preamble + facet) return false;
+  const std::uint64_t facets =
+      io_detail::ByteCursor(bytes, header, io_detail::ByteOrder::little).read<std::uint32_t>();
+  return bytes.size() == preamble + facet * facets;
+}
+
+// The extension of the format that the beginning of a file shows beyond doubt; empty where there is doubt.
+// OBJ and OFF without its word have no mark.
+std::string_view format_in(std::string_view bytes) {
+  if (is_whole_binary_stl(bytes)) return ".stl";
+  constexpr std::size_t looked_at = 1024;
+  const std::string_view start = bytes.substr(io_detail::byte_order_mark(bytes), looked_at);
+  if (start.starts_with("ply\n") || start.starts_with("ply\r")) return ".ply";
+  if (start.starts_with("# vtk DataFile Version")) return ".vtk";
+  if (start.starts_with("<VTKFile") ||
+      (start.starts_with("<?xml") && start.find("<VTKFile") != std::string_view::npos))
+    return ".vtp";
+  if (start.starts_with("solid") && start.find("facet normal") != std::string_view::npos) return ".stl";
+  if (start.starts_with("OFF\n") || start.starts_with("OFF\r")) return ".off";
+  return {};
+}
+
+// The format of a file whose name stands for a format. The content decides, because many files have the name
+// of another format.
+const Format& format_of(const Format& by_name, std::string_view bytes) {
+  const std::string_view found = format_in(bytes);
+  for (const Format& format : formats)
+    if (format.extension == found) return format;
+  return by_name;
 }
 
 }  // namespace
@@ -73,7 +107,7 @@ MeshFile read_mesh(const std::filesystem::path& path) {
   const std::string bytes = io_detail::unpacked_bytes(path);
   const io_detail::Source source{path.string(), bytes};
   io_detail::refuse_foreign(source);
-  return format->parse(source);
+  return format_of(*format, bytes).parse(source);
 }
 
 }  // namespace foramen

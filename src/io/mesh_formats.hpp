@@ -13,7 +13,7 @@ MeshFile parse_ply(const Source& source);
 MeshFile parse_stl(const Source& source);
 MeshFile parse_obj(const Source& source);
 MeshFile parse_off(const Source& source);
-/// Legacy VTK PolyData.
+/// Legacy VTK: PolyData, and unstructured grids whose cells are those of a surface.
 MeshFile parse_vtk(const Source& source);
 
 /// VTK XML PolyData: text, inline or appended binary, with or without compression.

@@ -59,10 +59,13 @@ std::string first_of(const HeaderFields& fields, std::initializer_list<const cha
   return *keys.begin();
 }
 
-// Sets the axes and the origin in LPS. A header without a matrix means the axes of the space.
+// Sets the axes and the origin in LPS. A header without a matrix means the axes of the space, and one without
+// an offset means its origin.
 void set_geometry(const HeaderFields& fields, std::size_t dimensions, VoxelLayout& layout) {
   const auto spacing = fields.numbers(first_of(fields, {"elementspacing", "elementsize"}), dimensions);
-  const auto origin = fields.numbers(first_of(fields, {"offset", "position", "origin"}), dimensions);
+  const std::string offset = first_of(fields, {"offset", "position", "origin"});
+  const auto origin =
+      fields.has(offset) ? fields.numbers(offset, dimensions) : std::vector<double>(dimensions, 0.0);
   layout.axes = Mat3::Identity();
   const std::string matrix = first_of(fields, {"transformmatrix", "rotation", "orientation"});
   if (fields.has(matrix)) {
@@ -130,7 +133,7 @@ VoxelLayout meta_layout(const std::filesystem::path& path) {
   const std::string order = first_of(fields, {"binarydatabyteordermsb", "elementbyteordermsb"});
   layout.order = is_true(fields.text(order, "False")) ? ByteOrder::big : ByteOrder::little;
   set_geometry(fields, static_cast<std::size_t>(dimensions), layout);
-  if (!is_true(fields.text("binarydata", "False")))
+  if (!is_true(fields.text("binarydata", "True")))
     source.refuse("its voxels are written as text", "save it as binary data");
   set_data(source, path, fields, lines, layout);
   return layout;

@@ -23,11 +23,19 @@ struct NamedPoints {
 /// with such a word. Throws IoError if the file cannot be written.
 void write_tps(const std::filesystem::path& path, std::span<const NamedPoints> specimens);
 
-/// Reads the LM3 specimens of a TPS file. If all specimens have SCALE=, coordinates are multiplied by it. A
-/// specimen without ID= gets the name in IMAGE= without extension, or else "specimenN". Other KEY=value lines
-/// are ignored. Throws IoError with the line: two-dimensional landmarks, curves, missing points (NA), SCALE=
-/// in only some of the specimens, a name that occurs twice, specimens with different numbers of points.
-std::vector<NamedPoints> read_tps(const std::filesystem::path& path);
+/// What is read of a TPS file.
+struct TpsFile {
+  std::vector<NamedPoints> specimens;
+  std::vector<std::string> notes;  ///< what was left out, in words
+};
+
+/// Reads the specimens of a TPS file with three coordinates a point (LM3=, or LM=). If all specimens have
+/// SCALE=, coordinates are multiplied by it. A specimen without ID= gets the name in IMAGE= without
+/// extension, or else "specimenN". Specimens with missing points (NA, or no point at all) and curves are
+/// left out, and a note says so. Other KEY=value lines are ignored. Throws IoError with the line:
+/// two-dimensional landmarks, SCALE= in only some of the specimens, a name that occurs twice, specimens
+/// with different numbers of points, no specimen with all its points.
+TpsFile read_tps(const std::filesystem::path& path);
 
 /// Writes a CSV table with the columns shape, landmark (from 0), x, y, z. Throws InvalidInput if there are no
 /// specimens, the numbers of points differ or a coordinate is not finite; IoError if the file cannot be

@@ -9,6 +9,8 @@
 #include "foramen/core/error.hpp"
 #include "io/json_text.hpp"
 #include "io/table_file.hpp"
+#include "io/xlsx_sheet.hpp"
+#include "io/zip_archive.hpp"
 
 namespace foramen {
 namespace {
@@ -133,6 +135,13 @@ class SubjectReader {
   std::set<std::string> not_texts_;  // columns that matter only if they are among those that are read
 };
 
+// The sheet "data" of a spreadsheet has a row for each subject, with the same keys.
+ordered_json project_in_spreadsheet(const io_detail::Source& source) {
+  ordered_json data = ordered_json::array();
+  for (const io_detail::SheetRow& row : io_detail::read_sheet(source, "data")) data.push_back(row);
+  return {{"data", std::move(data)}};
+}
+
 }  // namespace
 
 void write_shapeworks(const std::filesystem::path& path, std::span<const ShapeWorksSubject> subjects,
@@ -153,7 +162,8 @@ void write_shapeworks(const std::filesystem::path& path, std::span<const ShapeWo
 std::vector<ShapeWorksSubject> read_shapeworks(const std::filesystem::path& path) {
   const std::string bytes = io_detail::read_bytes(path);
   const io_detail::Source source{path.string(), bytes};
-  const ordered_json project = io_detail::parse_json(source);
+  const ordered_json project =
+      io_detail::is_zip(bytes) ? project_in_spreadsheet(source) : io_detail::parse_json(source);
   if (!project.is_object() || !project.contains("data") || !project.at("data").is_array() ||
       project.at("data").empty())
     source.refuse("has no list of subjects (\"data\")", "save the project again with ShapeWorks, as .swproj");

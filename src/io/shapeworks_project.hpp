@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Files of ShapeWorks: projects (.swproj) and particles (.particles).
+/// Files of ShapeWorks: projects (.swproj, .xlsx) and particles (.particles).
 
 #include <filesystem>
 #include <span>
@@ -38,10 +38,10 @@ struct ShapeWorksSubject {
 void write_shapeworks(const std::filesystem::path& path, std::span<const ShapeWorksSubject> subjects,
                       std::size_t particles);
 
-/// Reads a project of one domain of any name. A subject without a name gets the name of its shape file or
-/// particle file. A missing transform is the identity; one of twelve numbers (older projects) is a
-/// translation. Throws IoError with the subject: several domains, a value that is not a text, an invalid
-/// transform. Does not check whether the files exist.
+/// Reads a project of one domain of any name, as JSON or as a spreadsheet. A subject without a name gets
+/// the name of its shape file or particle file. A missing transform is the identity; one of twelve numbers
+/// (older projects) is a translation. Throws IoError with the subject: several domains, a value that is not
+/// a text, an invalid transform. Does not check whether the files exist.
 std::vector<ShapeWorksSubject> read_shapeworks(const std::filesystem::path& path);
 
 }  // namespace foramen

@@ -80,6 +80,7 @@ void SoupBuilder::remove_unused_points() {
     kept.push_back(soup_.points[v]);
   }
   if (kept.size() == soup_.points.size()) return;
+  unused_ = soup_.points.size() - kept.size();
   soup_.points = std::move(kept);
   for (auto& triangle : soup_.triangles)
     for (int& corner : triangle) corner = renumbered[static_cast<std::size_t>(corner)];
@@ -90,7 +91,10 @@ std::string SoupBuilder::note() const {
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   if (!polygons_.empty()) add(counted(polygons_.size(), "polygon") + " cut into triangles");
   if (strips_ > 0) add(counted(strips_, "triangle strip") + " taken apart");
-  if (loose_ > 0) add(counted(loose_, "loose cell") + " (points, lines) passed over");
+  if (loose_ > 0)
+    add(counted(loose_, "loose cell") + " (points, lines) passed over");
+  else if (unused_ > 0)
+    add(counted(unused_, "point") + " that no face uses passed over");
   if (trailing_ > 0) add(counted(trailing_, "byte") + " after the surface passed over");
   return text;
 }
@@ -103,7 +107,7 @@ MeshFile SoupBuilder::finish(std::optional<AnatomicalSpace> space) {
   if (soup_.triangles.size() > most_triangles)
     source_.refuse("has " + std::to_string(soup_.triangles.size()) + " triangles",
                    "that is more than foramen can hold: simplify the surface");
-  if (loose_ > 0) remove_unused_points();
+  if (loose_ > 0 || passes_over_unused_) remove_unused_points();
   MeshFile file{std::move(soup_), space, {}};
   if (const std::string said = note(); !said.empty()) file.notes.emplace_back(said);
   return file;

@@ -59,6 +59,8 @@ class SoupBuilder {
   }
   /// Points and lines beside the faces. The finished surface has no points that only they use.
   void pass_over_loose(std::uint64_t count) { loose_ += count; }
+  /// The finished surface has no points that no face uses.
+  void pass_over_unused_points() { passes_over_unused_ = true; }
   /// Data after the last element.
   void pass_over_trailing(std::uint64_t bytes) { trailing_ += bytes; }
   std::size_t points() const { return soup_.points.size(); }
@@ -95,7 +97,8 @@ class SoupBuilder {
   TriangleSoup soup_;
   std::vector<Polygon> polygons_;
   std::vector<int> polygon_corners_;
-  std::uint64_t strips_ = 0, loose_ = 0, trailing_ = 0;
+  std::uint64_t strips_ = 0, loose_ = 0, trailing_ = 0, unused_ = 0;
+  bool passes_over_unused_ = false;
 };
 
 }  // namespace foramen::io_detail

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "foramen/core/error.hpp"
 #include "io/atomic_file.hpp"
@@ -30,12 +31,15 @@ class TpsParser {
  public:
   explicit TpsParser(const io_detail::Source& source) : source_(source), lines_(source.bytes) {}
 
-  std::vector<NamedPoints> parse() {
+  TpsFile parse() {
     while (lines_.next_filled()) parse_line(lines_.line());
     finish_specimen();
-    io_detail::check_read(source_, specimens_);
     apply_scales();
-    return std::move(specimens_);
+    TpsFile file;
+    leave_out_incomplete(file);
+    io_detail::check_read(source_, file.specimens);
+    if (curves_ > 0) file.notes.push_back(std::to_string(curves_) + " curves were left out");
+    return file;
   }
 
  private:
@@ -46,15 +50,13 @@ class TpsParser {
   void parse_line(std::string_view line) {
     const auto equals = line.find('=');
     if (equals == std::string_view::npos)
-      refuse("expected KEY=value, found " + in_quotes(line), missing_remedy);
+      refuse("expected KEY=value, found " + in_quotes(line), number_remedy);
     const std::string key = lower_case(io_detail::TokenCursor(line.substr(0, equals)).rest());
     const std::string_view value = io_detail::TokenCursor(line.substr(equals + 1)).rest();
-    if (key == "lm3")
+    if (key == "lm3" || key == "lm")
       read_points(value);
-    else if (key == "lm")
-      refuse("two-dimensional landmarks (LM=)", "only three-dimensional ones (LM3=) are read");
-    else if (key == "curves" || key == "points")
-      refuse("curves", "export their points as landmarks, or leave them out");
+    else if (key == "points")
+      pass_over_curve(value);
     else if (specimens_.empty())
       return;  // a comment before the first specimen
     else if (key == "id")
@@ -65,21 +67,78 @@ class TpsParser {
       read_scale(value);
   }
 
+  // The number of points that follow. Each takes at least four bytes (three in the last line), so memory is
+  // allocated only for points that the file can hold.
+  std::int64_t point_count(std::string_view value) const {
+    const auto count = io_detail::to_integer(value);
+    if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > lines_.remaining() / 3)
+      refuse(in_quotes(value) + " is no number of points that could follow", io_detail::remedy_export_again);
+    return *count;
+  }
+  void next_point_line() {
+    if (!lines_.next_filled()) refuse("the file ends within a specimen", io_detail::remedy_export_again);
+  }
+
+  // Programs without landmarks for an image write LM=0 for it.
   void read_points(std::string_view value) {
     finish_specimen();
-    const auto count = io_detail::to_integer(value);
-    // A point takes at least six bytes (five in the last line), so memory is allocated only for points that
-    // the file can hold.
-    if (!count || *count <= 0 || static_cast<std::uint64_t>(*count) > lines_.remaining() / 5)
-      refuse("LM3=" + std::string(value.substr(0, 20)) + " is no number of points that could follow",
-             io_detail::remedy_export_again);
+    const std::int64_t count = point_count(value);
     specimens_.emplace_back();
-    for (std::int64_t i = 0; i < *count; ++i) {
-      if (!lines_.next_filled()) refuse("the file ends within a specimen", io_detail::remedy_export_again);
+    incomplete_.push_back(count == 0);
+    for (std::int64_t i = 0; i < count; ++i) {
+      next_point_line();
       const auto point = io_detail::point_of(lines_.line());
-      if (!point) refuse("expected three numbers, found " + in_quotes(lines_.line()), missing_remedy);
-      specimens_.back().points.push_back(*point);
+      if (point)
+        specimens_.back().points.push_back(*point);
+      else if (is_missing_point(lines_.line()))
+        incomplete_.back() = true;
+      else
+        refuse_point(lines_.line());
     }
+  }
+
+  // Three words of which one or more are NA, NaN or ? and the others numbers.
+  static bool is_missing_point(std::string_view line) {
+    io_detail::TokenCursor words(line);
+    bool missing = false;
+    for (int k = 0; k < 3; ++k) {
+      const std::string word = lower_case(words.next());
+      const bool is_mark = word == "na" || word == "nan" || word == "?";
+      if (!is_mark && !to_number(word)) return false;
+      missing = missing || is_mark;
+    }
+    return missing && words.rest().empty();
+  }
+
+  [[noreturn]] void refuse_point(std::string_view line) const {
+    io_detail::TokenCursor words(line);
+    const bool two = to_number(words.next()) && to_number(words.next()) && words.rest().empty();
+    if (two) refuse("two-dimensional landmarks", "only those with three coordinates (LM3=) are read");
+    refuse("expected three numbers, found " + in_quotes(line), number_remedy);
+  }
+
+  void pass_over_curve(std::string_view value) {
+    const std::int64_t count = point_count(value);
+    for (std::int64_t i = 0; i < count; ++i) next_point_line();
+    ++curves_;
+  }
+
+  // A shape with missing points does not correspond to the others.
+  void leave_out_incomplete(TpsFile& file) {
+    std::string names;
+    std::size_t count = 0;
+    constexpr std::size_t most_named = 5;
+    for (std::size_t i = 0; i < specimens_.size(); ++i)
+      if (!incomplete_[i])
+        file.specimens.push_back(std::move(specimens_[i]));
+      else if (++count <= most_named)
+        names += (names.empty() ? "" : ", ") + specimens_[i].name;
+    if (count > most_named) names += ", ...";
+    if (count > 0 && file.specimens.empty())
+      source_.refuse("points are missing in every specimen (" + names + ")", "estimate missing points first");
+    if (count > 0)
+      file.notes.push_back(std::to_string(count) + " of " + std::to_string(specimens_.size()) +
+                           " specimens have missing points and were left out: " + names);
   }
 
   void read_scale(std::string_view value) {
@@ -109,12 +168,13 @@ class TpsParser {
     }
   }
 
-  static constexpr const char* missing_remedy =
-      "estimate missing points first (NA is not read), and check the number after LM3=";
+  static constexpr const char* number_remedy = "correct the line, and check the number after LM3=";
   const io_detail::Source& source_;
   io_detail::LineCursor lines_;
   std::vector<NamedPoints> specimens_;
-  std::vector<double> scales_;  // 0: no scale
+  std::vector<bool> incomplete_;  // by specimen
+  std::vector<double> scales_;    // 0: no scale
+  std::size_t curves_ = 0;
   std::string image_;
 };
 
@@ -132,7 +192,7 @@ void write_tps(const std::filesystem::path& path, std::span<const NamedPoints> s
   write_file(path, out);
 }
 
-std::vector<NamedPoints> read_tps(const std::filesystem::path& path) {
+TpsFile read_tps(const std::filesystem::path& path) {
   const std::string bytes = io_detail::read_bytes(path);
   const io_detail::Source source{path.string(), bytes};
   return TpsParser(source).parse();

@@ -17,6 +17,20 @@ bool inflate_zlib(std::string_view block, std::string& out) {
          length == out.size();
 }
 
+bool inflate_raw(std::string_view block, std::string& out) {
+  constexpr std::size_t most = std::numeric_limits<uInt>::max();
+  constexpr int without_header = -15;
+  z_stream stream{};
+  if (block.size() > most || out.size() > most || inflateInit2(&stream, without_header) != Z_OK) return false;
+  stream.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(block.data()));  // zlib only reads it
+  stream.avail_in = static_cast<uInt>(block.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  const int outcome = inflate(&stream, Z_FINISH);
+  inflateEnd(&stream);
+  return outcome == Z_STREAM_END && stream.avail_out == 0;
+}
+
 bool inflate_lz4(std::string_view block, std::string& out) {
   constexpr std::size_t most = std::numeric_limits<int>::max();
   if (block.size() > most || out.size() > most) return false;
@@ -39,17 +53,18 @@ std::uint64_t most_unpacked(BlockPacking packing, std::uint64_t packed_bytes) {
   // Deflate packs at most about 1032 bytes into one, LZ4 255. LZMA has no such bound: its blocks by VTK are
   // of 32 KiB by default, and a file of 100 bytes can hold one.
   constexpr std::uint64_t zlib = 1032, lz4 = 256, lzma = 8192;
-  const std::uint64_t densest = packing == BlockPacking::zlib  ? zlib
-                                : packing == BlockPacking::lz4 ? lz4
-                                                               : lzma;
+  const std::uint64_t densest = packing == BlockPacking::lz4    ? lz4
+                                : packing == BlockPacking::lzma ? lzma
+                                                                : zlib;
   return densest * (packed_bytes + 1);
 }
 
 std::optional<std::string> unpack_block(BlockPacking packing, std::string_view block, std::size_t size) {
   std::string out(size, '\0');
-  const bool whole = packing == BlockPacking::zlib  ? inflate_zlib(block, out)
-                     : packing == BlockPacking::lz4 ? inflate_lz4(block, out)
-                                                    : inflate_lzma(block, out);
+  const bool whole = packing == BlockPacking::zlib      ? inflate_zlib(block, out)
+                     : packing == BlockPacking::deflate ? inflate_raw(block, out)
+                     : packing == BlockPacking::lz4     ? inflate_lz4(block, out)
+                                                        : inflate_lzma(block, out);
   return whole ? std::optional(std::move(out)) : std::nullopt;
 }
 

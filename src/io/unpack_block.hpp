@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Private to io: blocks of bytes whose size is known, as VTK compresses them.
+/// Private to io: blocks of bytes whose size is known, as VTK and zip archives compress them.
 
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace foramen::io_detail {
 
-enum class BlockPacking { zlib, lz4, lzma };
+/// `deflate` is zlib without header and checksum.
+enum class BlockPacking { zlib, deflate, lz4, lzma };
 
 /// More bytes than this cannot come out of a block of that size.
 std::uint64_t most_unpacked(BlockPacking packing, std::uint64_t packed_bytes);

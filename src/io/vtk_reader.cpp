@@ -1,5 +1,6 @@
-// Legacy VTK PolyData. Not read by the VTK library, because VTK 9.1 crashes on a file that ends within its
-// cells and returns uninitialised memory for points that are missing.
+// Legacy VTK: PolyData, and unstructured grids whose cells are those of a surface. Not read by the VTK
+// library, because VTK 9.1 crashes on a file that ends within its cells and returns uninitialised memory
+// for points that are missing.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "io/mesh_formats.hpp"
+#include "io/vtk_cells.hpp"
 
 namespace foramen::io_detail {
 namespace {
@@ -55,6 +57,7 @@ class LegacyVtk {
       if (keyword == "point_data" || keyword == "cell_data") break;
       parse_section(keyword, words);
     }
+    if (is_grid_) add_grid_cells();
     for (std::size_t f = 0; f + 1 < polygons_.offsets.size(); ++f)
       soup_.add_face(corners_of(polygons_, f, "face "), soup_.points(),
                      [&] { return "face " + std::to_string(f); });
@@ -112,7 +115,10 @@ class LegacyVtk {
     binary_ = encoding == "binary";
     need_line("DATASET");
     TokenCursor words(line_);
-    if (lower_case(words.next()) != "dataset" || lower_case(words.next()) != "polydata")
+    const bool is_dataset = lower_case(words.next()) == "dataset";
+    const std::string kind = lower_case(words.next());
+    is_grid_ = kind == "unstructured_grid";
+    if (!is_dataset || (kind != "polydata" && !is_grid_))
       refuse("expected 'DATASET POLYDATA', found " + in_quotes(line_),
              "foramen reads surfaces, no images or grids: export the surface");
   }
@@ -120,6 +126,10 @@ class LegacyVtk {
   void parse_section(const std::string& keyword, TokenCursor words) {
     if (keyword == "points")
       parse_points(words);
+    else if (keyword == "cells" && is_grid_)
+      read_cells(words, grid_cells_, "CELLS");
+    else if (keyword == "cell_types" && is_grid_)
+      parse_cell_types(words);
     else if (keyword == "polygons")
       read_cells(words, polygons_, "POLYGONS");
     else if (keyword == "triangle_strips")
@@ -254,6 +264,28 @@ class LegacyVtk {
     }
   }
 
+  void parse_cell_types(TokenCursor words) {
+    if (!grid_types_.empty()) refuse("a second CELL_TYPES section");
+    const std::uint64_t count = parse_count(words.next());
+    expect_line_end(words);
+    check_room(count, plain_int, "CELL_TYPES");
+    begin_data(count);
+    for (std::uint64_t c = 0; c < count; ++c) grid_types_.push_back(next_integer(plain_int, "CELL_TYPES"));
+    end_data(count);
+  }
+
+  // The points of a grid often serve other cells that were taken out of it.
+  void add_grid_cells() {
+    soup_.pass_over_unused_points();
+    const std::size_t count = grid_cells_.offsets.empty() ? 0 : grid_cells_.offsets.size() - 1;
+    if (grid_types_.size() != count)
+      source_.refuse(
+          "has " + std::to_string(count) + " CELLS and " + std::to_string(grid_types_.size()) + " CELL_TYPES",
+          remedy_damaged);
+    for (std::size_t c = 0; c < count; ++c)
+      add_vtk_cell(soup_, source_, grid_types_[c], corners_of(grid_cells_, c, "cell "), c);
+  }
+
   // The layout before version 5: for each cell the number of its corners and then its corners.
   void parse_counted_cells(std::uint64_t count, std::uint64_t size, Cells& cells, const char* what) {
     check_room(size, plain_int, what);
@@ -374,10 +406,11 @@ class LegacyVtk {
   const Source& source_;
   SoupBuilder soup_;
   SpaceTag space_;
-  bool binary_ = false, has_offsets_ = false;
+  bool binary_ = false, has_offsets_ = false, is_grid_ = false;
   std::size_t offset_ = 0, line_number_ = 0;
   std::string_view line_;
-  Cells polygons_, strips_;
+  Cells polygons_, strips_, grid_cells_;
+  std::vector<std::int64_t> grid_types_;
 };
 
 }  // namespace

@@ -11,7 +11,8 @@
 namespace foramen::io_detail {
 namespace {
 
-constexpr std::size_t deepest = 20;
+// An element of four bytes takes a hundred in memory, so their number is limited, too.
+constexpr std::size_t deepest = 20, most_elements = 1000000;
 
 // The callbacks of expat. No exception may pass through expat, so an error is remembered and the parser is
 // stopped.
@@ -37,6 +38,8 @@ class TreeBuilder {
   static TreeBuilder& of(void* self) { return *static_cast<TreeBuilder*>(self); }
   void start(const char* name, const char** attributes) {
     if (open_.size() > deepest) return stop("is nested deeper than " + std::to_string(deepest) + " elements");
+    if (++elements_ > most_elements)
+      return stop("has more than " + std::to_string(most_elements) + " elements");
     XmlElement element;
     element.name = name;
     for (; *attributes != nullptr; attributes += 2) element.attributes[attributes[0]] = attributes[1];
@@ -54,6 +57,7 @@ class TreeBuilder {
 
   XML_Parser parser_;
   std::vector<XmlElement> open_ = {XmlElement{}};  // open elements from the document to the innermost one
+  std::size_t elements_ = 0;
   std::string problem_;
 };
 

@@ -24,8 +24,8 @@ struct XmlElement {
 };
 
 /// Parses a document and returns its root element. Throws IoError if the text is not well-formed XML, is
-/// nested deeper than 20 elements, or declares a document type: no file that foramen reads needs one, and its
-/// entities can expand to unlimited size.
+/// nested deeper than 20 elements or has more than a million, or declares a document type: no file that
+/// foramen reads needs one, and its entities can expand to unlimited size.
 XmlElement parse_xml(const Source& source, std::string_view text);
 
 }  // namespace foramen::io_detail

@@ -8,10 +8,12 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/rng.hpp"
 #include "foramen/io/statismo_file.hpp"
+#include "io/atomic_file.hpp"
 #include "io/named_points.hpp"
 #include "io/scalismo_landmarks.hpp"
 #include "io/shapeworks_project.hpp"
 #include "io/table_file.hpp"
+#include "io/zip_bytes.hpp"
 #include "modelfiles/corresponding_folder.hpp"
 #include "support/meshes.hpp"
 #include "support/messages.hpp"
@@ -85,6 +87,20 @@ TEST_F(Convert, AFolderOfParticles) {
   converted(meshes(), file("study/a.swproj"));
   const ConvertRequest with_triangles{.input = {}, .output = {}, .triangles = meshes() / "L0.ply"};
   EXPECT_EQ(converted(file("study/particles"), file("back"), with_triangles).shapes, 5U);
+  expect_the_same_meshes(file("back"));
+}
+
+TEST_F(Convert, AProjectInASpreadsheet) {
+  converted(meshes(), file("study/a.swproj"));
+  std::string rows = "<row><c t=\"str\"><v>name</v></c><c t=\"str\"><v>local_particles_1</v></c></row>";
+  for (int i = 0; i < 5; ++i) {
+    const std::string name = "L" + std::to_string(i);
+    rows += "<row><c t=\"str\"><v>" + name + "</v></c><c t=\"str\"><v>particles/" + name +
+            "_local.particles</v></c></row>";
+  }
+  write_file(file("study/a.xlsx"), testing::zip_bytes(testing::spreadsheet(rows)));
+  const ConvertRequest with_triangles{.input = {}, .output = {}, .triangles = meshes() / "L0.ply"};
+  EXPECT_EQ(converted(file("study/a.xlsx"), file("back"), with_triangles).shapes, 5U);
   expect_the_same_meshes(file("back"));
 }
 
@@ -166,8 +182,9 @@ TEST_F(Convert, UnitsBecomeMillimetres) {
   }
   EXPECT_THAT(refusal(file("cm"), file("c.tps")), offers({{RemedyKind::give_unit, "cm"}}));
   EXPECT_THAT(converted(file("cm"), file("c.tps"), centimetres).notes, ::testing::IsEmpty());
-  EXPECT_LT((read_tps(file("c.tps"))[1].points[3] - read_corresponding(meshes()).shapes[1][3]).norm(),
-            tolerance);
+  EXPECT_LT(
+      (read_tps(file("c.tps")).specimens[1].points[3] - read_corresponding(meshes()).shapes[1][3]).norm(),
+      tolerance);
   EXPECT_THAT(converted(file("cm"), file("d.tps"), certain).notes,
               ::testing::ElementsAre(says("2 of 2 shapes are not the size of a vertebra")));
   EXPECT_THAT(refusal(file("d.tps"), file("e.csv")), offers({{RemedyKind::give_unit, "cm"}}))

@@ -155,6 +155,17 @@ TEST(LabelMapVariants, DataAtTheEndOfAFileOrBehindAHeader) {
         folder.file("a.nhdr", nrrd_header(plain_map()) + "encoding: raw\n" + skip + "data file: a.raw\n")));
 }
 
+TEST(LabelMapVariants, MetaImageOfFewFields) {
+  const TemporaryFolder folder;
+  const LabelMap map = read_label_map(
+      folder.file("a.mha",
+                  "NDims = 3\nDimSize = 2 2 1\nElementType = MET_UCHAR\nElementSpacing = 1 2 3\n"
+                  "ElementDataFile = LOCAL\n\1\2\3\4"));
+  EXPECT_EQ(map.origin, Vec3(0, 0, 0));
+  EXPECT_EQ(map.axes, Mat3(Vec3(1, 2, 3).asDiagonal()));
+  EXPECT_EQ(map.labels, (std::vector<std::uint16_t>{1, 2, 3, 4}));
+}
+
 TEST(LabelMapVariants, SlicesInSeveralFiles) {
   const TemporaryFolder folder;
   const std::string raw = raw_voxels();

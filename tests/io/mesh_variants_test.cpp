@@ -162,6 +162,41 @@ TEST(VtkVariants, StringFieldsLooseCellsAndStripsInText) {
   expect_tetrahedron(newer, "1 loose cell (points, lines) passed over");
 }
 
+const std::string grid =
+    "# vtk DataFile Version 2.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n" + points + "9 9 9\n";
+
+TEST(VtkVariants, GridsOfTheCellsOfASurface) {
+  const std::string cells = "CELLS 6 21\n" + faces + "1 4\n2 0 4\n";
+  expect_tetrahedron(read("a.vtk", grid + cells + "CELL_TYPES 6\n5\n5\n7\n5\n1\n3\nCELL_DATA 6\n"),
+                     "2 loose cells (points, lines) passed over");
+  const std::string newer = changed(grid, "2.0", "5.1") +
+                            "CELLS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12\nCONNECTIVITY vtktypeint64\n"
+                            "0 2 1 0 1 3 1 2 3 2 0 3\nCELL_TYPES 4\n5 5 5 5\n";
+  expect_tetrahedron(read("a.vtk", newer), "1 point that no face uses passed over");
+  const MeshFile strip = read("a.vtk", grid + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n6\n");
+  EXPECT_EQ(strip.soup.triangles, (Triangles{{0, 1, 2}, {2, 1, 3}}));
+  const MeshFile quad = read("a.vtk", grid + "CELLS 1 5\n4 0 1 3 2\nCELL_TYPES 1\n9\n"),
+                 pixel = read("a.vtk", grid + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n8\n");
+  EXPECT_EQ(pixel.soup.triangles, quad.soup.triangles);
+}
+
+TEST(VtkVariants, GridsOfOtherCellsAreNamed) {
+  const auto refusal = [](const std::string& cells) -> std::string {
+    try {
+      read("a.vtk", grid + cells);
+    } catch (const IoError& e) {
+      return e.what();
+    }
+    return "was read";
+  };
+  EXPECT_THAT(refusal("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"), HasSubstr("holds tetrahedra"));
+  EXPECT_THAT(refusal("CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n22\n"), HasSubstr("holds cells of type 22"));
+  EXPECT_THAT(refusal("CELLS 2 8\n3 0 1 2\n3 0 1 9\nCELL_TYPES 2\n5\n5\n"),
+              HasSubstr("cell 1: uses vertex 9"));
+  EXPECT_THAT(refusal("CELLS 1 4\n3 0 1 2\n"), HasSubstr("has 1 CELLS and 0 CELL_TYPES"));
+  EXPECT_THAT(refusal("CELLS 1 4\n3 0 1 2\nCELL_TYPES 900\n5\n"), HasSubstr("CELL_TYPES needs 900 numbers"));
+}
+
 TEST(VtkVariants, StringsOfEveryLengthInBinary) {
   std::string bytes =
       "# vtk DataFile Version 4.2\nx\nBINARY\nDATASET POLYDATA\nFIELD f 2\nnames 1 4 string\n";
@@ -258,6 +293,23 @@ TEST(MeshVariants, GzipByContentAndByName) {
     expect_tetrahedron(read(name, text_ply));
   }
   EXPECT_THROW(read("a.ply.gz", testing::packed(text_ply).substr(0, 60)), IoError);
+}
+
+TEST(MeshVariants, ContentDecidesAndNotTheName) {
+  const TemporaryFolder folder;
+  write_vtp(folder.file("a.vtp"), tetrahedron());
+  const std::string vtp = testing::bytes_of(folder.file("a.vtp"));
+  const std::string vtk = "# vtk DataFile Version 4.2\nx\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n" +
+                          points + "POLYGONS 4 16\n" + faces;
+  for (const char* name : {"a.vtk", "a.stl", "a.obj", "a.off.gz"}) {
+    expect_tetrahedron(read(name, vtp));
+    expect_tetrahedron(read(name, text_ply));
+    expect_tetrahedron(read(name, binary_ply()));
+    expect_tetrahedron(read(name, "\xef\xbb\xbf" + vtk));
+    expect_tetrahedron(read(name, "OFF\n4 4 0\n" + points + faces));
+    for (const std::string& stl : {testing::binary_stl(tetrahedron()), testing::ascii_stl(tetrahedron())})
+      EXPECT_EQ(read(name, stl).soup.triangles.size(), 4u);
+  }
 }
 
 TEST(MeshVariants, OtherKindsOfFilesAreNamed) {

@@ -46,7 +46,7 @@ TEST(Tps, RoundTrip) {
   const TemporaryFolder folder;
   write_tps(folder.file("a.tps"), example());
   EXPECT_EQ(bytes_of(folder.file("a.tps")).substr(0, 18), "LM3=2\n0.1 -2 1e-07");
-  expect_same(read_tps(folder.file("a.tps")), example());
+  expect_same(read_tps(folder.file("a.tps")).specimens, example());
 }
 
 TEST(Tps, FilesOfOthers) {
@@ -55,20 +55,34 @@ TEST(Tps, FilesOfOthers) {
       folder.file("a.tps",
                   "COMMENT=of a clinic\r\nlm3=1\r\n 1\t2  3 \r\nIMAGE=first.jpg\r\nSCALE=0.5\r\n\r\n"
                   "LM3=1\r\n4 5 6\r\nSCALE=2\r\n");
-  expect_same(read_tps(file), {{"first", {{0.5, 1, 1.5}}}, {"specimen2", {{8, 10, 12}}}});
+  expect_same(read_tps(file).specimens, {{"first", {{0.5, 1, 1.5}}}, {"specimen2", {{8, 10, 12}}}});
+}
+
+TEST(Tps, SpecimensWithMissingPointsAndCurvesAreLeftOut) {
+  const TemporaryFolder folder;
+  const auto file =
+      read_tps(folder.file("a.tps",
+                           "LM=2\n1 2 3\n4 5 6\nID=a\nLM3=2\nNA NA NA\n4 5 6\nID=b\nLM3=2\n1 2 3\n"
+                           "7 8 NaN\nID=c\nLM=0\nIMAGE=d.jpg\nLM3=2\n7 8 9\n-1 -1 -1\nCURVES=2\n"
+                           "POINTS=1\n9 9 9\nPOINTS=2\n9 9\n9 9\nID=e\n"));
+  expect_same(file.specimens, {{"a", {{1, 2, 3}, {4, 5, 6}}}, {"e", {{7, 8, 9}, {-1, -1, -1}}}});
+  EXPECT_EQ(file.notes,
+            (std::vector<std::string>{"3 of 5 specimens have missing points and were left out: b, c, d",
+                                      "2 curves were left out"}));
 }
 
 TEST(Tps, WhatIsNoneIsRefused) {
   EXPECT_THAT(refused_tps("LM=2\n1 2\n3 4\n"), HasSubstr("two-dimensional"));
   EXPECT_THAT(refused_tps("LM3=2\n1.00000 2.00000 3.00000\n"), HasSubstr("ends within"));
-  EXPECT_THAT(refused_tps("LM3=1\n1 NA 3\n"), HasSubstr("line 2"));
+  EXPECT_THAT(refused_tps("LM3=1\n1 NA 3\nID=a\n"), HasSubstr("points are missing in every specimen (a)"));
+  EXPECT_THAT(refused_tps("LM3=1\n1 NB 3\n"), HasSubstr("line 2: expected three numbers"));
   EXPECT_THAT(refused_tps("LM3=1\n1 2 3 4\n"), HasSubstr("line 2"));
   EXPECT_THAT(refused_tps("LM3=1\n1 2 3\n4 5 6\n"), HasSubstr("line 3"));
   EXPECT_THAT(refused_tps("LM3=900000000000\n1 2 3\n"), HasSubstr("no number of points"));
   EXPECT_THAT(refused_tps("LM3=1\n1 2 3\nID=a\nLM3=2\n1 2 3\n4 5 6\nID=b\n"), HasSubstr("'b' has 2 points"));
   EXPECT_THAT(refused_tps("LM3=1\n1 2 3\nID=a\nLM3=1\n1 2 3\nID=a\n"), HasSubstr("the name 'a'"));
   EXPECT_THAT(refused_tps("LM3=1\n1 2 3\nSCALE=2\nLM3=1\n1 2 3\nID=b\n"), HasSubstr("'b' has no SCALE="));
-  EXPECT_THAT(refused_tps("LM3=1\n1 2 3\nCURVES=1\nPOINTS=1\n1 2 3\n"), HasSubstr("curves"));
+  EXPECT_THAT(refused_tps("LM3=1\n1 2 3\nCURVES=1\nPOINTS=2\n1 2 3\n"), HasSubstr("ends within"));
   EXPECT_THAT(refused_tps("hello\n"), HasSubstr("KEY=value"));
 }
 

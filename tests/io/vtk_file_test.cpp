@@ -195,6 +195,8 @@ TEST(VtkFile, MalformedVtpIsRefused) {
   };
   std::string nested;
   for (int i = 0; i < 30; ++i) nested += "<a>";
+  std::string many;
+  for (int i = 0; i < 1000000; ++i) many += "<a/>";
   const std::string zlib = whole("inline_zlib.vtp"), raw = whole("appended_raw.vtp");
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"<other></other>", "has no <VTKFile> element"},
@@ -209,6 +211,7 @@ TEST(VtkFile, MalformedVtpIsRefused) {
       {replaced(good, "<?xml version=\"1.0\"?>", "<?xml version=\"1.0\"?><!DOCTYPE lolz []>"),
        "declares a document type"},
       {replaced(good, "<Points>", nested + "<Points>"), "is nested deeper than 20 elements"},
+      {replaced(good, "<Points>", many + "<Points>"), "has more than 1000000 elements"},
       {replaced(good, "NumberOfPoints=\"4\"", "NumberOfPoints=\"40\""), "holds 12 numbers instead of 3 x 40"},
       {replaced(good, "NumberOfStrips=\"0\"", "NumberOfStrips=\"1\""), "has no"},
       {replaced(good, "Name=\"connectivity\"", "Name=\"disconnectivity\""),
