@@ -88,7 +88,7 @@ Eigen::Matrix2i seifert_matrix(const Mesh& mesh, const EdgeLoop& first, const Ed
     found.append(" ").append(shown(s)).append(";");
   }
   throw ConvergenceError("the linking numbers of the loops do not settle:" + found +
-                         " the surface may intersect itself near a loop; repair it");
+                         " the surface may intersect itself near a loop");
 }
 
 bool seifert_test(const Eigen::Matrix2i& a, const Eigen::Matrix2i& shape, const Eigen::Matrix2i& reference) {
