@@ -1,7 +1,6 @@
 #include "inputs/read_marks.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -118,7 +117,7 @@ ReadRegions read_regions(const std::vector<fs::path>& inputs, const MarkedShapes
   std::vector<fs::path> of_shape(shapes.names.size());
   bool any = false;
   for (const fs::path& path :
-       files_of(inputs, is_label_list, "labels (looked for .txt, .ply and .vtp)", skipped)) {
+       files_of(inputs, is_label_list, "labels (looked for .txt, .ply, .vtk and .vtp)", skipped)) {
     const std::string stem = path.stem().string();
     const auto of = shape_of_file(path, stem, shapes.names);
     if (!of) {
@@ -130,17 +129,7 @@ ReadRegions read_regions(const std::vector<fs::path>& inputs, const MarkedShapes
       throw InvalidInput(of_shape[of->shape].string() + " and " + path.string() + " are both labels of " +
                          shapes.names[of->shape] + ": leave one out");
     of_shape[of->shape] = path;
-    RegionsOfShape& regions = result.regions[of->shape];
-    std::map<int, int> number_of;  // of each label
-    for (const int label : read_vertex_labels(path)) {
-      if (label <= 0) {
-        regions.of_vertex.push_back(-1);
-        continue;
-      }
-      const auto [number, is_new] = number_of.try_emplace(label, static_cast<int>(regions.names.size()));
-      if (is_new) regions.names.push_back(std::to_string(label));
-      regions.of_vertex.push_back(number->second);
-    }
+    result.regions[of->shape] = regions_of_labels(read_vertex_labels(path));
   }
   result.notes = skipped.messages();
   others.note_or_refuse(any, "labels", shapes.names, result.notes);

@@ -22,6 +22,7 @@ MeshFile parse_vtp(const Source& source);
 /// The numbers of the vertices beyond their coordinates, each with the name that the file gives it. Fields of
 /// several numbers a vertex are passed over.
 std::vector<VertexScalar> parse_ply_scalars(const Source& source);
+std::vector<VertexScalar> parse_vtk_scalars(const Source& source);
 std::vector<VertexScalar> parse_vtp_scalars(const Source& source);
 
 /// Throws InvalidInput unless every coordinate is finite in float32 and every corner exists.

@@ -69,16 +69,18 @@ std::vector<int> labels_among(const Source& source, const std::vector<VertexScal
 
 bool is_label_list(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
-  return extension == ".txt" || extension == ".ply" || extension == ".vtp";
+  return extension == ".txt" || extension == ".ply" || extension == ".vtk" || extension == ".vtp";
 }
 
 std::vector<int> read_vertex_labels(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
-  if (!is_label_list(path)) throw IoError(path.string() + ": is no file of labels; give .txt, .ply or .vtp");
+  if (!is_label_list(path))
+    throw IoError(path.string() + ": is no file of labels; give .txt, .ply, .vtk or .vtp");
   const std::string bytes = io_detail::read_bytes(path);
   const Source source{path.string(), bytes};
   if (extension == ".txt") return parse_lines(source);
-  return labels_among(source, extension == ".ply" ? io_detail::parse_ply_scalars(source)
+  if (extension == ".ply") return labels_among(source, io_detail::parse_ply_scalars(source));
+  return labels_among(source, extension == ".vtk" ? io_detail::parse_vtk_scalars(source)
                                                   : io_detail::parse_vtp_scalars(source));
 }
 

@@ -73,6 +73,31 @@ TEST(VertexLabels, AreScalarsOfVtp) {
   EXPECT_THAT(read_vertex_labels(folder.file("a.vtp", vtp(normals + labels))), ElementsAre(4, 4, 2));
 }
 
+TEST(VertexLabels, AreScalarsOfLegacyVtk) {
+  const TemporaryFolder folder;
+  const std::string surface =
+      "# vtk DataFile Version 3.0\n3D Slicer output. SPACE=LPS\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+      "0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\nCELL_DATA 1\nanything";
+  const std::string cells = "CELL_DATA 1\nSCALARS label int\nLOOKUP_TABLE default\n9\n";
+  const auto with_points = [&](const std::string& point_data) {
+    return surface.substr(0, surface.find("CELL_DATA")) + "POINT_DATA 3\n" + point_data + cells;
+  };
+  EXPECT_THAT(
+      read_vertex_labels(folder.file(
+          "scalars.vtk", with_points("NORMALS Normals float\n0 0 1 0 0 1\n0 0 1\nSCALARS seg short 1\n"
+                                     "LOOKUP_TABLE default\n4 5 4\n"))),
+      ElementsAre(4, 5, 4));
+  EXPECT_THAT(
+      read_vertex_labels(folder.file(
+          "field.vtk",
+          with_points("FIELD FieldData 3\nNormals 3 3 float\n0 0 1 0 0 1 0 0 1\nname 1 3 string\na\nb\nc\n"
+                      "Segment 1 3 double\n4 2 4\nMETADATA\nINFORMATION 0\n\n"))),
+      ElementsAre(4, 2, 4));
+  EXPECT_THAT(refused("cells.vtk", surface), testing::says("its vertices have no labels"));
+  EXPECT_THAT(refused("short.vtk", with_points("SCALARS seg int\nLOOKUP_TABLE default\n4 5\n")),
+              testing::says("expected a number in POINT_DATA"));
+}
+
 TEST(VertexLabels, FilesThatLeaveThemOpenAreRefused) {
   EXPECT_THAT(refused("a.ply", ply("property uchar red\n", "0 0 0 9\n1 0 0 9\n0 1 0 9\n")),
               testing::says("its vertices have no labels"));

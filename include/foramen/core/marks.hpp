@@ -2,6 +2,7 @@
 /// \file
 /// What people marked on shapes: named points and curves, and regions of the surface.
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,5 +39,8 @@ struct RegionsOfShape {
   std::vector<std::string> names;
   std::vector<int> of_vertex;  ///< index of the region's name for each vertex of the input; -1: in no region
 };
+
+/// The regions of labels, one per vertex. A region's name is its label; 0 and less is no region.
+RegionsOfShape regions_of_labels(std::span<const int> labels);
 
 }  // namespace foramen
