@@ -43,6 +43,12 @@ void add_evaluate(CLI::App& program, Run& run) {
   command->add_option("--truth", request.truth, "folder of the true correspondence, by the same names");
   command->add_option("--true-landmarks", request.true_landmarks,
                       "folder to write the same landmarks in true correspondence to (needs --truth)");
+  command->add_option("--marks", request.marks,
+                      "points and curves that people marked on the surfaces, files or folders: .mrk.json or "
+                      ".fcsv of Slicer, .json of Scalismo, or .csv");
+  command->add_option("--regions", request.regions,
+                      "regions that people marked, files or folders: a label for each vertex of the surfaces "
+                      "in .txt, .ply, .vtk or .vtp");
   command->add_option("-o,--output", request.output, "folder for metrics.json and metrics.csv");
   add_unit_option(*command, request.unit);
   add_described(*command, "--samples", request.options, "draws");

@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include <pybind11/stl.h>
+#include <nlohmann/json.hpp>
 
 #include "bindings.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/evaluate/evaluate.hpp"
 #include "inputs/subject_of.hpp"
+#include "modelfiles/marks_json.hpp"
 #include "options.hpp"
 
 namespace foramen::python {
@@ -122,6 +126,8 @@ py::dict evaluation_dict(const Evaluation& e) {
   out["drawn"] = drawn_of(e.drawn);
   out["representation"] = representation_of(e.representation.shapes);
   out["truth"] = truth_of(e.truth);
+  out["marks"] = e.marks ? py::object(py::str(marks_json(*e.marks, e.names).dump())) : py::none();
+  out["regions"] = e.regions ? py::object(py::str(regions_json(*e.regions, e.names).dump())) : py::none();
   return out;
 }
 
@@ -134,11 +140,26 @@ std::vector<Mesh> originals(const CorrespondingCohort& cohort, const GivenShapes
   return meshes;
 }
 
+// A mark as Python gives it: name, kind and points.
+using GivenMark = std::tuple<std::string, std::string, PointArray>;
+
+MarksOfShape marks_of(const std::vector<GivenMark>& given) {
+  MarksOfShape marks;
+  for (const auto& [name, word, points] : given) {
+    const auto kind = value_of<MarkKind>(word);
+    if (!kind) throw InvalidInput("the mark '" + name + "' is none of point, open, closed, but " + word);
+    marks.push_back({name, *kind, soup_of(points, TriangleArray(std::vector<py::ssize_t>{0, 3})).points});
+  }
+  return marks;
+}
+
 py::dict evaluate_in_memory(const std::vector<std::string>& names, const PointArray& corresponding,
                             const TriangleArray& triangles, const GivenShapes* given,
                             const std::vector<std::string>& subjects, const std::string& subject_regex,
                             const std::optional<std::pair<PointArray, TriangleArray>>& truth,
-                            const py::dict& given_options, int threads, const py::object& progress) {
+                            const std::vector<std::vector<GivenMark>>& given_marks,
+                            const std::vector<std::vector<int>>& labels, const py::dict& given_options,
+                            int threads, const py::object& progress) {
   EvaluationOptions options;
   set_options(options, given_options, "evaluate");
   const auto corners = [](const TriangleArray& array) {
@@ -152,10 +173,20 @@ py::dict evaluate_in_memory(const std::vector<std::string>& names, const PointAr
     for (const std::string& name : names) cohort.subjects.push_back(subject_of(name, subject_regex));
   std::optional<TrueCorrespondence> known;
   if (truth) known = TrueCorrespondence{corners(truth->second), shapes_of(truth->first)};
+  std::vector<MarksOfShape> marks;
+  std::vector<RegionsOfShape> regions;
+  for (const auto& of_shape : given_marks) marks.push_back(marks_of(of_shape));
+  for (const auto& of_shape : labels) regions.push_back(regions_of_labels(of_shape));
   Evaluation evaluation;
   run_unlocked(threads, progress, [&](const RunContext& ctx) {
     cohort.inputs = originals(cohort, given);
+    std::optional<MarkTransfer> of_marks;
+    std::optional<RegionTransfer> of_regions;
+    if (!marks.empty()) of_marks = mark_transfer(cohort, marks, ctx);
+    if (!regions.empty()) of_regions = region_transfer(cohort, regions, ctx);
     evaluation = evaluate(cohort, options, ctx, known ? &*known : nullptr);
+    evaluation.marks = std::move(of_marks);
+    evaluation.regions = std::move(of_regions);
   });
   return evaluation_dict(evaluation);
 }

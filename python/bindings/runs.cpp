@@ -164,7 +164,8 @@ std::string extract_folder(const std::vector<std::string>& inputs, const std::st
 
 std::string evaluate_files(const std::string& corresponding, const std::string& shapes,
                            const std::string& truth, const std::string& true_landmarks,
-                           const std::string& output, const std::optional<std::string>& units,
+                           const std::string& output, const std::vector<std::string>& marks,
+                           const std::vector<std::string>& regions, const std::optional<std::string>& units,
                            const std::string& subject_regex, const py::dict& options, int threads,
                            const py::object& progress) {
   EvaluateFolderRequest request;
@@ -173,6 +174,8 @@ std::string evaluate_files(const std::string& corresponding, const std::string& 
   request.truth = truth;
   request.true_landmarks = true_landmarks;
   request.output = output;
+  request.marks.assign(marks.begin(), marks.end());
+  request.regions.assign(regions.begin(), regions.end());
   request.unit = unit_named(units);
   request.subject_pattern = subject_regex;
   set_options(request.options, options, "evaluate");

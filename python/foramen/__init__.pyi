@@ -14,6 +14,7 @@ Space = Literal["LPS", "RAS"]
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int32]
 Options = Optional[Mapping[str, Any]]
+AnyMark = Union[ArrayLike, tuple[Literal["point", "open", "closed"], ArrayLike]]
 
 __version__: str
 
@@ -216,6 +217,8 @@ class Evaluation:
     drawn: DrawnShapes
     representation: Representation
     truth: Optional[TruthError]
+    marks: Optional[dict[str, Any]]
+    regions: Optional[dict[str, Any]]
 
 class Model:
     mean: NDArray[np.float64]
@@ -298,13 +301,15 @@ def build_model(shapes: Shapes, *, names: Optional[Iterable[str]] = None, corres
 def list_options(function: Union[str, Callable[..., object]]) -> list[Option]: ...
 @overload
 def evaluate(corresponding: Union[Model, Shapes], *, names: Optional[Iterable[str]] = None, shapes: Optional[Shapes] = None,
-             truth: Optional[Shapes] = None, true_landmarks: None = None, output: None = None, units: None = None,
+             truth: Optional[Shapes] = None, marks: Optional[Mapping[str, Mapping[str, AnyMark]]] = None,
+             regions: Optional[Mapping[str, ArrayLike]] = None, true_landmarks: None = None, output: None = None,
+             units: None = None,
              samples: Optional[int] = None, seed: Optional[int] = None, subjects: Optional[Iterable[str]] = None,
              subject_regex: str = "", scale: Optional[AnyScale] = None, weights: Optional[AnyWeights] = None,
              options: Options = None, threads: int = 0, progress: Progress = None) -> Evaluation: ...
 @overload
 def evaluate(corresponding: Path, *, names: None = None, shapes: Optional[Path] = None, truth: Optional[Path] = None,
-             true_landmarks: Optional[Path] = None, output: Optional[Path] = None, units: Optional[str] = None,
+             marks: Optional[Paths] = None, regions: Optional[Paths] = None, true_landmarks: Optional[Path] = None, output: Optional[Path] = None, units: Optional[str] = None,
              samples: Optional[int] = None, seed: Optional[int] = None, subjects: None = None, subject_regex: str = "",
              scale: Optional[AnyScale] = None, weights: Optional[AnyWeights] = None, options: Options = None,
              threads: int = 0, progress: Progress = None) -> dict[str, Any]: ...

@@ -143,6 +143,39 @@ def test_evaluate_in_memory_has_the_numbers_of_metrics_json(built, model, truth)
     assert found.drawn.folded.shape == (20,) and found.compactness.fraction[-1] == pytest.approx(1)
 
 
+def test_evaluate_compares_marks_in_memory_as_those_of_files(cohort, built, model, shapes, truth, tmp_path):
+    # A vertex of the truth corresponds on all shapes, so that its mark has the correspondence's own error.
+    marks = {name: {"tip": truth[name].points[7], "path": truth[name].points[[3, 5, 9]],
+                    "ring": ("closed", truth[name].points[[20, 25, 30]])} for name in list(shapes)[:3]}
+    labels = {name: (mesh.points[:, 0] > np.median(mesh.points[:, 0])).astype(int) + 1 for name, mesh in shapes.items()}
+    found = foramen.evaluate(model, samples=2, marks=marks, regions=labels)
+    assert found.marks["marked_shapes"] == 3 and found.marks["points"]["pairs"] == 6
+    assert [row["part"] for row in found.marks["by_point"]] == ["point", "start", "middle", "end", "centroid"]
+    assert 0 < found.marks["curves"]["mean"] < 10 and 0 < found.regions["dice"]["mean"] < 1
+    rows = ["shape,landmark,kind,index,x,y,z"]
+    for shape, of_shape in marks.items():
+        for name, kind in (("tip", "point"), ("path", "open"), ("ring", "closed")):
+            points = of_shape[name][1] if kind == "closed" else np.atleast_2d(of_shape[name])
+            rows += [f"{shape},{name},{kind},{i},{x!r},{y!r},{z!r}" for i, (x, y, z) in enumerate(points.tolist())]
+    (tmp_path / "marks.csv").write_text("\n".join(rows) + "\n")
+    for name, of_shape in labels.items():
+        (tmp_path / f"{name}.txt").write_text("\n".join(map(str, of_shape)))
+    of_files = foramen.evaluate(built[0], shapes=cohort / "shapes", samples=2, marks=tmp_path / "marks.csv",
+                                regions=[tmp_path / f"{name}.txt" for name in labels])
+    assert of_files["marks"]["points"]["mean"] == pytest.approx(found.marks["points"]["mean"], abs=1e-3)
+    assert of_files["regions"]["dice"]["mean"] == pytest.approx(found.regions["dice"]["mean"], abs=1e-3)
+    assert foramen.evaluate(model, samples=2).marks is None
+    for error, text, call in [
+            (foramen.InvalidInput, "there is no shape else", lambda: foramen.evaluate(model, marks={"else": {}})),
+            (TypeError, "must be a mapping", lambda: foramen.evaluate(model, regions=[1])),
+            (foramen.InvalidInput, "none of point, open, closed",
+             lambda: foramen.evaluate(model, marks={name: {"a": ("ring", [[0, 0, 0]])} for name in shapes})),
+            (foramen.InvalidInput, "a point .3,. or a curve", lambda: foramen.evaluate(model, marks={"synth001": {"a": [1, 2]}})),
+            (foramen.InvalidInput, "but its surface has", lambda: foramen.evaluate(model, regions={"synth001": [1]}))]:
+        with pytest.raises(error, match=text):
+            call()
+
+
 def test_evaluate_takes_meshes_of_any_tool(cohort, built, model, shapes, tmp_path):
     files = sorted((built[0] / "corresponding").glob("*.ply"))
     of_folder = foramen.evaluate(built[0], shapes=cohort / "shapes", samples=5, subject_regex="(.)$")

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "foramen/correspond/registration_options.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "foramen/correspond/registration_options.hpp"
 #include "parameterize/optimise_map.hpp"
 #include "sampling/lift_to_surface.hpp"
 

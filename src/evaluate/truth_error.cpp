@@ -1,11 +1,11 @@
 #include "foramen/evaluate/truth_error.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <string>
 
 #include "core/parallel.hpp"
+#include "evaluate/percentile.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
 
@@ -74,10 +74,7 @@ ErrorSummary summary(const std::vector<Errors>& by_shape) {
   for (const Errors& e : by_shape) all.insert(all.end(), e.begin(), e.end());
   ErrorSummary s;
   s.mean = mean_of(all);
-  const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * static_cast<double>(all.size())));
-  const auto nth = all.begin() + std::max<std::ptrdiff_t>(0, rank - 1);
-  std::nth_element(all.begin(), nth, all.end());
-  s.p95 = *nth;
+  s.p95 = detail::percentile_95(all);
   s.max = *std::max_element(all.begin(), all.end());
   return s;
 }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "findings/mark_findings.hpp"
 #include "findings/model_difference.hpp"
 #include "findings/model_report.hpp"
 #include "modelfiles/metrics_file.hpp"
@@ -129,6 +130,7 @@ ModelComparison compare_models(const std::vector<fs::path>& models) {
 
   std::vector<ReportTable> tables = model_tables(named);
   tables.insert(tables.begin(), {single_figures(named), specificity_in_context(named)});
+  for (ReportTable& table : mark_tables(named)) tables.push_back(std::move(table));
   const std::vector<Chart> charts = model_charts(named);
 
   ModelComparison comparison;

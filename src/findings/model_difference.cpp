@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "evaluate/paired_p_value.hpp"
+#include "findings/mark_findings.hpp"
 
 namespace foramen {
 namespace {
@@ -131,6 +132,10 @@ std::vector<DifferenceGroup> paired_groups(const Evaluation& first, const Evalua
                     {paired_representation("mean", a, b, partner, &SurfaceDistance::mean),
                      paired_representation("p95", a, b, partner, &SurfaceDistance::p95),
                      paired_representation("Hausdorff", a, b, partner, &SurfaceDistance::hausdorff)}});
+  if (first.subjects.empty() == second.subjects.empty() &&
+      (first.subjects.empty() || same_subjects(first, second, partner)))
+    for (DifferenceGroup& group : mark_differences(first, second, partner))
+      groups.push_back(std::move(group));
   return groups;
 }
 
@@ -174,14 +179,16 @@ std::vector<ReportTable> difference_tables(const ModelDifference& difference) {
 
 ordered_json difference_json(const ModelDifference& difference) {
   ordered_json measures = ordered_json::array();
-  for (const DifferenceGroup& group : difference.groups)
+  for (const DifferenceGroup& group : difference.groups) {
+    const std::string of_unit = "_" + group.unit;
     for (const MeasureDifference& measure : group.measures)
       for (const DifferenceAtModes& at : measure.by_modes)
         measures.push_back({{"measure", group.name + ", " + measure.name},
                             {"modes", at.modes ? ordered_json(*at.modes) : ordered_json()},
-                            {"mean_mm", at.difference.mean},
-                            {"standard_error_mm", at.difference.standard_error},
+                            {"mean" + of_unit, at.difference.mean},
+                            {"standard_error" + of_unit, at.difference.standard_error},
                             {"p_value", at.p_value ? ordered_json(*at.p_value) : ordered_json()}});
+  }
   return {{"first", difference.first},
           {"second", difference.second},
           {"paired", difference.why_not_paired.empty()},

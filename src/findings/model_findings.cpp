@@ -1,5 +1,6 @@
 #include "findings/model_findings.hpp"
 
+#include "findings/mark_findings.hpp"
 #include "findings/model_report.hpp"
 #include "findings/papers.hpp"
 
@@ -92,6 +93,7 @@ std::vector<std::string> summary_lines(const RunRecord& run, const Evaluation& e
                     fixed(evaluation.truth->error.p95, 2) + " mm, largest " +
                     fixed(evaluation.truth->error.max, 2) + " mm (floor: mean " +
                     fixed(evaluation.truth->floor.mean, 3) + " mm)");
+  for (std::string& line : mark_lines(evaluation)) lines.push_back(std::move(line));
   return lines;
 }
 

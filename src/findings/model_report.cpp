@@ -1,6 +1,7 @@
 #include "findings/model_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -100,7 +101,9 @@ std::string fixed(double value, int digits) {
 }
 
 std::string fixed(const Estimate& value, int digits) {
-  return fixed(value.mean, digits) + " ± " + fixed(value.standard_error, digits);
+  return std::isnan(value.standard_error)
+             ? fixed(value.mean, digits)
+             : fixed(value.mean, digits) + " ± " + fixed(value.standard_error, digits);
 }
 
 std::string percent(const Estimate& share) {

@@ -30,7 +30,7 @@ const ErrorsAtModes* at_quoted_modes(const std::vector<ErrorsAtModes>& by_modes)
 
 /// The number in fixed-point notation.
 std::string fixed(double value, int digits);
-/// mean +- standard error.
+/// mean +- standard error; the mean alone if the error is NaN.
 std::string fixed(const Estimate& value, int digits);
 /// The share as a percentage: "mean ± standard error %".
 std::string percent(const Estimate& share);

@@ -19,6 +19,12 @@ MeshFile parse_vtk(const Source& source);
 /// VTK XML PolyData: text, inline or appended binary, with or without compression.
 MeshFile parse_vtp(const Source& source);
 
+/// The numbers of the vertices beyond their coordinates, each with the name that the file gives it. Fields of
+/// several numbers a vertex are passed over.
+std::vector<VertexScalar> parse_ply_scalars(const Source& source);
+std::vector<VertexScalar> parse_vtk_scalars(const Source& source);
+std::vector<VertexScalar> parse_vtp_scalars(const Source& source);
+
 /// Throws InvalidInput unless every coordinate is finite in float32 and every corner exists.
 void check_writable(const std::filesystem::path& path, const TriangleSoup& soup);
 

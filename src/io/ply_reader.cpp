@@ -271,15 +271,57 @@ MeshFile read_body(const Source& source, const PlyHeader& header, Rows rows) {
   return soup.finish(header.space);
 }
 
+template <class Rows>
+std::vector<VertexScalar> read_scalars(const Source& source, const PlyHeader& header, Rows rows) {
+  const Layout layout = find_layout(source, header);
+  check_size(source, header, rows);
+  std::vector<VertexScalar> of_property;
+  for (std::size_t e = 0; e <= layout.vertex_element; ++e) {
+    const PlyElement& element = header.elements[e];
+    of_property.assign(element.properties.size(), {});
+    for (std::uint64_t row = 0; row < element.count; ++row) {
+      rows.begin_row(element, row);
+      for (std::size_t i = 0; i < element.properties.size(); ++i)
+        if (element.properties[i].count_type)
+          skip_property(source, rows, element.properties[i]);
+        else
+          of_property[i].values.push_back(rows.number(element.properties[i].type));
+      rows.end_row();
+    }
+  }
+  std::vector<VertexScalar> scalars;
+  for (std::size_t i = 0; i < of_property.size(); ++i) {
+    const PlyProperty& property = header.elements[layout.vertex_element].properties[i];
+    const bool coordinate =
+        std::find(layout.coordinates.begin(), layout.coordinates.end(), i) != layout.coordinates.end();
+    if (!coordinate && !property.count_type)
+      scalars.push_back({property.name, std::move(of_property[i].values)});
+  }
+  return scalars;
+}
+
+// Calls read(header, rows) with the rows of the file's encoding.
+template <class Read>
+auto with_rows(const Source& source, const Read& read) {
+  LineCursor lines(source.bytes);
+  const PlyHeader header = parse_ply_header(source, lines);
+  if (header.encoding == PlyEncoding::ascii) return read(header, TextRows(source, lines));
+  const ByteOrder order =
+      header.encoding == PlyEncoding::binary_little_endian ? ByteOrder::little : ByteOrder::big;
+  return read(header, BinaryRows(source, lines.offset(), order));
+}
+
 }  // namespace
 
 MeshFile parse_ply(const Source& source) {
-  LineCursor lines(source.bytes);
-  const PlyHeader header = parse_ply_header(source, lines);
-  if (header.encoding == PlyEncoding::ascii) return read_body(source, header, TextRows(source, lines));
-  const ByteOrder order =
-      header.encoding == PlyEncoding::binary_little_endian ? ByteOrder::little : ByteOrder::big;
-  return read_body(source, header, BinaryRows(source, lines.offset(), order));
+  return with_rows(
+      source, [&](const PlyHeader& header, auto rows) { return read_body(source, header, std::move(rows)); });
+}
+
+std::vector<VertexScalar> parse_ply_scalars(const Source& source) {
+  return with_rows(source, [&](const PlyHeader& header, auto rows) {
+    return read_scalars(source, header, std::move(rows));
+  });
 }
 
 }  // namespace foramen::io_detail

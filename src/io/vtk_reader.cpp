@@ -2,61 +2,25 @@
 // library, because VTK 9.1 crashes on a file that ends within its cells and returns uninitialised memory
 // for points that are missing.
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "io/legacy_vtk_cursor.hpp"
 #include "io/mesh_formats.hpp"
 #include "io/vtk_cells.hpp"
 
 namespace foramen::io_detail {
 namespace {
 
-constexpr const char* remedy_damaged =
-    "the file is damaged, cut off or no VTK surface: export it again, best as PLY";
-
-enum class Kind { integer, real };
-struct NumberType {
-  std::string_view name;
-  Kind kind;
-  std::size_t bytes;
-  bool is_signed;
-};
-
-// vtkIdType has 32 bits in such files, however VTK was built.
-constexpr std::array<NumberType, 16> number_types{{{"float", Kind::real, 4, true},
-                                                   {"double", Kind::real, 8, true},
-                                                   {"char", Kind::integer, 1, true},
-                                                   {"unsigned_char", Kind::integer, 1, false},
-                                                   {"short", Kind::integer, 2, true},
-                                                   {"unsigned_short", Kind::integer, 2, false},
-                                                   {"int", Kind::integer, 4, true},
-                                                   {"unsigned_int", Kind::integer, 4, false},
-                                                   {"long", Kind::integer, 8, true},
-                                                   {"unsigned_long", Kind::integer, 8, false},
-                                                   {"vtktypeint64", Kind::integer, 8, true},
-                                                   {"vtktypeuint64", Kind::integer, 8, false},
-                                                   {"vtkidtype", Kind::integer, 4, true},
-                                                   {"signed_char", Kind::integer, 1, true},
-                                                   {"long_long", Kind::integer, 8, true},
-                                                   {"unsigned_long_long", Kind::integer, 8, false}}};
-constexpr NumberType plain_int = number_types[6];
-
-class LegacyVtk {
+class LegacyVtk : LegacyVtkCursor {
  public:
-  explicit LegacyVtk(const Source& source) : source_(source), soup_(source) {}
+  explicit LegacyVtk(const Source& source) : LegacyVtkCursor(source), soup_(source) {}
 
   MeshFile parse() {
-    parse_header();
-    while (next_line()) {
-      TokenCursor words(line_);
-      const std::string keyword = lower_case(words.next());
-      // Fields on points and cells are not read.
-      if (keyword == "point_data" || keyword == "cell_data") break;
-      parse_section(keyword, words);
-    }
+    parse_sections();
     if (is_grid_) add_grid_cells();
     for (std::size_t f = 0; f + 1 < polygons_.offsets.size(); ++f)
       soup_.add_face(corners_of(polygons_, f, "face "), soup_.points(),
@@ -67,30 +31,75 @@ class LegacyVtk {
     return soup_.finish(space_.value());
   }
 
+  /// The scalars of the points.
+  std::vector<VertexScalar> scalars() {
+    parse_sections();
+    if (lower_case(TokenCursor(line_).next()) != "point_data") return {};
+    return parse_point_data();
+  }
+
  private:
   // The corners of cell f are corners[offsets[f]] .. corners[offsets[f + 1] - 1].
   struct Cells {
     std::vector<std::int64_t> offsets, corners;
   };
 
-  [[noreturn]] void refuse(const std::string& found, const char* remedy = remedy_damaged) const {
-    source_.refuse("line " + std::to_string(line_number_) + ": " + found, remedy);
-  }
-  std::size_t remaining() const { return source_.bytes.size() - offset_; }
-
-  // In binary files only the lines outside the data are counted.
-  bool next_line() {
-    while (offset_ < source_.bytes.size()) {
-      const auto end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
-      line_ = source_.bytes.substr(offset_, end - offset_);
-      offset_ = std::min(end + 1, source_.bytes.size());
-      ++line_number_;
-      if (!TokenCursor(line_).rest().empty()) return true;
+  // Stops at the fields on points or cells.
+  void parse_sections() {
+    parse_header();
+    while (next_line()) {
+      TokenCursor words(line_);
+      const std::string keyword = lower_case(words.next());
+      if (keyword == "point_data" || keyword == "cell_data") return;
+      parse_section(keyword, words);
     }
-    return false;
   }
-  void need_line(const char* what) {
-    if (!next_line()) source_.refuse(std::string("the file ends before ") + what, remedy_damaged);
+
+  std::vector<VertexScalar> parse_point_data() {
+    const std::uint64_t points = soup_.points();
+    std::vector<VertexScalar> scalars;
+    while (next_line()) {
+      TokenCursor words(line_);
+      const std::string keyword = lower_case(words.next());
+      if (keyword == "cell_data") break;
+      if (keyword == "metadata") {
+        skip_metadata();
+      } else if (keyword == "field") {
+        for (VertexScalar& array : read_field(words)) keep(std::move(array), scalars);
+      } else if (keyword == "scalars") {
+        const std::string name(words.next());
+        const VtkNumberType type = parse_type(words.next());
+        const std::string_view components = words.next();
+        need_line("LOOKUP_TABLE");
+        if (lower_case(TokenCursor(line_).next()) != "lookup_table")
+          refuse("expected LOOKUP_TABLE, found " + in_quotes(line_));
+        keep({name, numbers(points * (components.empty() ? 1 : parse_count(components)), type, "POINT_DATA")},
+             scalars);
+      } else if (keyword == "normals" || keyword == "vectors") {
+        words.next();  // its name
+        numbers(3 * points, parse_type(words.next()), "POINT_DATA");
+      } else if (keyword == "texture_coordinates") {
+        words.next();
+        const std::uint64_t components = parse_count(words.next());
+        numbers(components * points, parse_type(words.next()), "POINT_DATA");
+      } else {
+        refuse("unknown field " + in_quotes(line_) + " on points", "save the labels alone, or as text");
+      }
+    }
+    return scalars;
+  }
+  // Keeps a field of one number a point.
+  void keep(VertexScalar field, std::vector<VertexScalar>& scalars) const {
+    if (field.values.size() == soup_.points()) scalars.push_back(std::move(field));
+  }
+  std::vector<double> numbers(std::uint64_t count, const VtkNumberType& type, const char* what) {
+    check_room(count, type, what);
+    begin_data(count);
+    std::vector<double> values;
+    values.reserve(count);
+    for (std::uint64_t i = 0; i < count; ++i) values.push_back(next_number(type, what));
+    end_data(count);
+    return values;
   }
 
   void parse_header() {
@@ -137,102 +146,19 @@ class LegacyVtk {
     else if (keyword == "vertices" || keyword == "lines")
       pass_over_cells(words, keyword);
     else if (keyword == "field")
-      skip_field(words);
+      read_field(words);
     else if (keyword == "metadata")
       skip_metadata();
     else
       refuse("unknown section " + in_quotes(line_));
   }
 
-  std::uint64_t parse_count(std::string_view word) const {
-    const auto count = to_integer(word);
-    if (!count || *count < 0) refuse("expected a count, found " + in_quotes(word));
-    return static_cast<std::uint64_t>(*count);
-  }
-  NumberType parse_type(std::string_view word) const {
-    const std::string lower = lower_case(word);
-    for (const NumberType& type : number_types)
-      if (type.name == lower) return type;
-    refuse("numbers of type " + in_quotes(word) + " are not read", remedy_other_format);
-  }
-  // Refuses a number of values that the rest of the file cannot hold, before memory is allocated. In a text
-  // file each value takes at least a digit and a blank.
-  void check_room(std::uint64_t count, const NumberType& type, const std::string& what) const {
-    const std::uint64_t each = binary_ ? type.bytes : 2, room = binary_ ? remaining() : remaining() + 1;
-    if (count > room / each)
-      refuse(what + " needs " + std::to_string(count) + " numbers, more than the " +
-             std::to_string(remaining()) + " bytes that follow can hold");
-  }
-
-  // The next value. check_room() gives a lower bound only, so a text file may still end here.
-  std::string_view next_token(const char* what) {
-    constexpr std::string_view blanks = " \t\v\f\r\n";
-    std::size_t begin = offset_;
-    for (; begin < source_.bytes.size() && blanks.find(source_.bytes[begin]) != std::string_view::npos;
-         ++begin)
-      if (source_.bytes[begin] == '\n') ++line_number_;
-    const std::size_t end = std::min(source_.bytes.find_first_of(blanks, begin), source_.bytes.size());
-    offset_ = end;
-    if (begin == end) source_.refuse(std::string("the file ends within ") + what, remedy_damaged);
-    return source_.bytes.substr(begin, end - begin);
-  }
-  std::int64_t next_integer(const NumberType& type, const char* what) {
-    if (binary_) return binary_integer(type);
-    const std::string_view token = next_token(what);
-    const auto value = to_integer(token);
-    if (!value) refuse("expected an integer in " + std::string(what) + ", found " + in_quotes(token));
-    return *value;
-  }
-  double next_number(const NumberType& type, const char* what) {
-    if (binary_) {
-      if (type.kind == Kind::integer) return static_cast<double>(binary_integer(type));
-      return type.bytes == 4 ? static_cast<double>(next_bytes<float>()) : next_bytes<double>();
-    }
-    const std::string_view token = next_token(what);
-    const auto value = to_number(token);
-    if (!value) refuse("expected a number in " + std::string(what) + ", found " + in_quotes(token));
-    return *value;
-  }
-  template <class T>
-  T next_bytes() {
-    ByteCursor bytes(source_.bytes, offset_, ByteOrder::big);
-    offset_ += sizeof(T);
-    return bytes.read<T>();
-  }
-  std::int64_t binary_integer(const NumberType& type) {
-    switch (type.bytes) {
-      case 1:
-        return type.is_signed ? next_bytes<std::int8_t>() : next_bytes<std::uint8_t>();
-      case 2:
-        return type.is_signed ? next_bytes<std::int16_t>() : next_bytes<std::uint16_t>();
-      case 4:
-        return type.is_signed ? next_bytes<std::int32_t>()
-                              : static_cast<std::int64_t>(next_bytes<std::uint32_t>());
-      default:
-        return next_bytes<std::int64_t>();
-    }
-  }
-  // In a text file the data begin on the line after their heading and must fill their last line to its end.
-  void begin_data(std::uint64_t count) {
-    if (!binary_ && count > 0) ++line_number_;
-  }
-  void end_data(std::uint64_t count) {
-    if (binary_ || count == 0) return;
-    const auto end = std::min(source_.bytes.find('\n', offset_), source_.bytes.size());
-    const std::string_view rest = TokenCursor(source_.bytes.substr(offset_, end - offset_)).rest();
-    if (!rest.empty()) refuse("more numbers than announced, from " + in_quotes(rest));
-    offset_ = std::min(end + 1, source_.bytes.size());
-  }
-  void expect_line_end(TokenCursor words) const {
-    if (!words.rest().empty()) refuse("unexpected " + in_quotes(words.rest()));
-  }
-
   void parse_points(TokenCursor words) {
     if (soup_.points() > 0) refuse("a second POINTS section");
     const std::uint64_t count = parse_count(words.next());
-    const NumberType type = parse_type(words.next());
+    const VtkNumberType type = parse_type(words.next());
     expect_line_end(words);
-    check_room(count, number_types[2],
+    check_room(count, vtk_number_types[2],
                "POINTS");  // each value takes at least a byte, so the product with 3 does not overflow
     check_room(3 * count, type, "POINTS");
     soup_.expect(count, 0, remaining(), 0, 0);
@@ -268,9 +194,10 @@ class LegacyVtk {
     if (!grid_types_.empty()) refuse("a second CELL_TYPES section");
     const std::uint64_t count = parse_count(words.next());
     expect_line_end(words);
-    check_room(count, plain_int, "CELL_TYPES");
+    check_room(count, vtk_plain_int, "CELL_TYPES");
     begin_data(count);
-    for (std::uint64_t c = 0; c < count; ++c) grid_types_.push_back(next_integer(plain_int, "CELL_TYPES"));
+    for (std::uint64_t c = 0; c < count; ++c)
+      grid_types_.push_back(next_integer(vtk_plain_int, "CELL_TYPES"));
     end_data(count);
   }
 
@@ -288,16 +215,16 @@ class LegacyVtk {
 
   // The layout before version 5: for each cell the number of its corners and then its corners.
   void parse_counted_cells(std::uint64_t count, std::uint64_t size, Cells& cells, const char* what) {
-    check_room(size, plain_int, what);
+    check_room(size, vtk_plain_int, what);
     if (count > size)
       refuse("announces " + std::to_string(count) + " cells of " + std::to_string(size) + " numbers");
     begin_data(size);
     cells.offsets.push_back(0);
     for (std::uint64_t f = 0, used = 0; f < count; ++f) {
-      const std::int64_t length = used < size ? next_integer(plain_int, what) : -1;
+      const std::int64_t length = used < size ? next_integer(vtk_plain_int, what) : -1;
       if (length < 0 || static_cast<std::uint64_t>(length) >= size - used)
         refuse("face " + std::to_string(f) + " of " + what + " does not fit its announced size");
-      for (std::int64_t k = 0; k < length; ++k) cells.corners.push_back(next_integer(plain_int, what));
+      for (std::int64_t k = 0; k < length; ++k) cells.corners.push_back(next_integer(vtk_plain_int, what));
       used += static_cast<std::uint64_t>(length) + 1;
       cells.offsets.push_back(static_cast<std::int64_t>(cells.corners.size()));
       if (f + 1 == count && used != size) refuse(std::string(what) + " has other than its announced size");
@@ -310,9 +237,9 @@ class LegacyVtk {
     TokenCursor words(line_);
     if (lower_case(words.next()) != lower_case(keyword))
       refuse(std::string("expected ") + keyword + ", found " + in_quotes(line_));
-    const NumberType type = parse_type(words.next());
+    const VtkNumberType type = parse_type(words.next());
     expect_line_end(words);
-    if (type.kind != Kind::integer) refuse(std::string(keyword) + " must be integers");
+    if (type.kind != VtkKind::integer) refuse(std::string(keyword) + " must be integers");
     check_room(count, type, keyword);
     begin_data(count);
     std::vector<std::int64_t> values;
@@ -331,22 +258,26 @@ class LegacyVtk {
     return std::span(cells.corners).subspan(begin, end - begin);
   }
 
-  void skip_field(TokenCursor words) {
+  // The arrays of numbers.
+  std::vector<VertexScalar> read_field(TokenCursor words) {
     words.next();  // its name
     const std::uint64_t arrays = parse_count(words.next());
+    std::vector<VertexScalar> read;
     for (std::uint64_t a = 0; a < arrays; ++a) {
       need_line("an array of FIELD");
       if (lower_case(TokenCursor(line_).next()) == "metadata") {  // of the array before
         skip_metadata();
         need_line("an array of FIELD");
       }
-      skip_array(TokenCursor(line_));
+      read.push_back(read_array(TokenCursor(line_)));
     }
+    return read;
   }
 
-  void skip_array(TokenCursor heading) {
-    const std::string_view name = heading.next();
-    if (lower_case(name) == "null_array") return;
+  // Without values if the array holds no numbers.
+  VertexScalar read_array(TokenCursor heading) {
+    const std::string name(heading.next());
+    if (lower_case(name) == "null_array") return {name, {}};
     const std::uint64_t components = parse_count(heading.next()), tuples = parse_count(heading.next());
     const std::string type = lower_case(heading.next());
     const std::uint64_t room = 8 * (remaining() + 1);  // a value takes at least a bit
@@ -356,16 +287,14 @@ class LegacyVtk {
     const std::uint64_t count = components * tuples;
     if (type == "string" || type == "utf8_string") {
       for (std::uint64_t i = 0; i < count; ++i) skip_string(name);
-    } else if (type == "bit" && binary_) {
-      check_room((count + 7) / 8, number_types[2], "FIELD");
-      offset_ += (count + 7) / 8;
-    } else {
-      const NumberType number = type == "bit" ? number_types[2] : parse_type(type);
-      check_room(count, number, "FIELD");
-      begin_data(count);
-      for (std::uint64_t i = 0; i < count; ++i) next_number(number, "FIELD");
-      end_data(count);
+      return {name, {}};
     }
+    if (type == "bit" && binary_) {
+      check_room((count + 7) / 8, vtk_number_types[2], "FIELD");
+      offset_ += (count + 7) / 8;
+      return {name, {}};
+    }
+    return {name, numbers(count, type == "bit" ? vtk_number_types[2] : parse_type(type), "FIELD")};
   }
 
   // A line of a text file. In a binary file the first two bits say how many bytes hold the length: 3, 2, 1, 0
@@ -403,12 +332,9 @@ class LegacyVtk {
     }
   }
 
-  const Source& source_;
   SoupBuilder soup_;
   SpaceTag space_;
-  bool binary_ = false, has_offsets_ = false, is_grid_ = false;
-  std::size_t offset_ = 0, line_number_ = 0;
-  std::string_view line_;
+  bool has_offsets_ = false, is_grid_ = false;
   Cells polygons_, strips_, grid_cells_;
   std::vector<std::int64_t> grid_types_;
 };
@@ -416,5 +342,7 @@ class LegacyVtk {
 }  // namespace
 
 MeshFile parse_vtk(const Source& source) { return LegacyVtk(source).parse(); }
+
+std::vector<VertexScalar> parse_vtk_scalars(const Source& source) { return LegacyVtk(source).scalars(); }
 
 }  // namespace foramen::io_detail

@@ -46,20 +46,44 @@ class SurfaceReader {
       : source_(source), arrays_(source, file.root, file.appended, file.appended_base64), soup_(source) {}
 
   MeshFile read(const XmlElement& root) {
-    const XmlElement* data = root.attribute("type") == "PolyData" ? root.child("PolyData") : nullptr;
-    if (data == nullptr)
-      source_.refuse("is no PolyData", "foramen reads surfaces, no images or grids: export the surface");
-    for (const XmlElement& piece : data->children)
+    const XmlElement& data = poly_data(root);
+    for (const XmlElement& piece : data.children)
       if (piece.name == "Piece") add_piece(piece);
     SpaceTag space;
-    if (const XmlElement* fields = data->child("FieldData"))
+    if (const XmlElement* fields = data.child("FieldData"))
       for (const XmlElement& field : fields->children)
         if (field.attribute("Name") == "SPACE" && field.attribute("type") == "String")
           space.see(source_, "SPACE=" + arrays_.text(field));
     return soup_.finish(space.value());
   }
 
+  /// The scalars of all pieces, one after the other.
+  std::vector<VertexScalar> scalars(const XmlElement& root) const {
+    std::vector<VertexScalar> all;
+    for (const XmlElement& piece : poly_data(root).children) {
+      const XmlElement* fields = piece.name == "Piece" ? piece.child("PointData") : nullptr;
+      if (fields == nullptr) continue;
+      for (const XmlElement& array : fields->children) {
+        if (array.attribute("NumberOfComponents", "1") != "1" || array.attribute("type") == "String")
+          continue;
+        const std::string name = array.attribute("Name");
+        auto found = std::find_if(all.begin(), all.end(), [&](const auto& s) { return s.name == name; });
+        if (found == all.end()) found = all.insert(found, {name, {}});
+        const std::vector<double> values = arrays_.numbers(array);
+        found->values.insert(found->values.end(), values.begin(), values.end());
+      }
+    }
+    return all;
+  }
+
  private:
+  const XmlElement& poly_data(const XmlElement& root) const {
+    const XmlElement* data = root.attribute("type") == "PolyData" ? root.child("PolyData") : nullptr;
+    if (data == nullptr)
+      source_.refuse("is no PolyData", "foramen reads surfaces, no images or grids: export the surface");
+    return *data;
+  }
+
   std::uint64_t count(const XmlElement& piece, const std::string& attribute) const {
     const std::string written = piece.attribute(attribute, "0");
     const auto number = to_integer(written);
@@ -135,6 +159,11 @@ class SurfaceReader {
 MeshFile parse_vtp(const Source& source) {
   const VtpFile file = split(source);
   return SurfaceReader(source, file).read(file.root);
+}
+
+std::vector<VertexScalar> parse_vtp_scalars(const Source& source) {
+  const VtpFile file = split(source);
+  return SurfaceReader(source, file).scalars(file.root);
 }
 
 }  // namespace foramen::io_detail

@@ -7,6 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "modelfiles/marks_json.hpp"
 #include "modelfiles/metrics_rows.hpp"
 #include "modelfiles/options_json.hpp"
 
@@ -239,6 +240,8 @@ Evaluation evaluation_from(const ordered_json& j) {
   if (const ordered_json& t = j.at("truth"); !t.is_null())
     e.truth = TruthError{summary_from(t.at("error")), summary_from(t.at("floor")),
                          t.at("mean_from_shape").get<std::vector<double>>()};
+  if (j.contains("marks")) e.marks = marks_from(j.at("marks"), e.names);
+  if (j.contains("regions")) e.regions = regions_from(j.at("regions"), e.names);
   return e;
 }
 
@@ -264,6 +267,8 @@ std::string metrics_json(const Evaluation& e) {
       {"truth", e.truth ? truth_json(*e.truth) : ordered_json()}};
   if (e.refit) out["refit"] = refit_json(*e.refit, "shape");
   if (e.refit_by_subject) out["refit_by_subject"] = refit_json(*e.refit_by_subject, "subject");
+  if (e.marks) out["marks"] = marks_json(*e.marks, e.names);
+  if (e.regions) out["regions"] = regions_json(*e.regions, e.names);
   return out.dump(2);
 }
 

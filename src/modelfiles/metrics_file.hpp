@@ -18,9 +18,10 @@ std::string metrics_json(const Evaluation& evaluation);
 /// were computed. Throws IoError, whose message calls the text by this name.
 Evaluation parse_metrics(std::string_view json, const std::string& name);
 
-/// Writes FOLDER/metrics.json, and FOLDER/metrics.csv with the columns item, kind (shape or draw), modes,
-/// measure, value, unit: one row per shape or draw, number of modes and measure. Each file is written whole
-/// or not at all. The bytes depend only on the results of the evaluation, not on its duration.
+/// Writes FOLDER/metrics.json, and FOLDER/metrics.csv with the columns item, kind (shape, draw or pair),
+/// modes, measure, value, unit: one row per shape, draw or pair of shapes, number of modes and measure.
+/// Each file is written whole or not at all. The bytes depend only on the results of the evaluation, not on
+/// its duration.
 void write_metrics(const std::filesystem::path& folder, const Evaluation& evaluation);
 
 /// Reads FOLDER/metrics.json back. Throws IoError.

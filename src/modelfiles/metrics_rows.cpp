@@ -106,6 +106,15 @@ void write_metrics_rows(const std::filesystem::path& file, const Evaluation& e) 
     rows.add(item, "draw", all_modes, "drawn_folded", d.folded, "triangles");
     rows.add(item, "draw", all_modes, "drawn_opposing_mean", d.opposing_mean, "triangles");
   }
+  const auto pair_name = [&](int from, int to) { return e.names[from] + " to " + e.names[to]; };
+  if (e.marks)
+    for (const MarkPair& p : e.marks->pairs) {
+      if (p.points) rows.add(pair_name(p.from, p.to), "pair", 0, "mark_points", *p.points, "mm");
+      if (p.curves) rows.add(pair_name(p.from, p.to), "pair", 0, "mark_curves", *p.curves, "mm");
+    }
+  if (e.regions)
+    for (const RegionPair& p : e.regions->pairs)
+      rows.add(pair_name(p.from, p.to), "pair", 0, "region_dice", p.dice, "share");
   write_csv(file, {"item", "kind", "modes", "measure", "value", "unit"}, rows.rows());
 }
 

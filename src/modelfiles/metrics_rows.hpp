@@ -1,6 +1,6 @@
 #pragma once
-/// \file
-/// metrics.csv: the values of single shapes and draws, from which the estimates of metrics.json are computed.
+/// \file metrics.csv: the values of single shapes, draws and pairs of shapes, from which the estimates of
+/// metrics.json are computed.
 
 #include <filesystem>
 
@@ -8,7 +8,7 @@
 
 namespace foramen {
 
-/// Writes one row per shape or draw, number of modes and measure.
+/// Writes one row per shape, draw or pair of shapes, number of modes and measure.
 void write_metrics_rows(const std::filesystem::path& file, const Evaluation& evaluation);
 
 /// Reads the generalization errors of each shape, in the order of the names, into the evaluation. Throws

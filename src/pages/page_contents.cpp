@@ -1,10 +1,20 @@
 #include "pages/page_contents.hpp"
 
+#include "findings/mark_findings.hpp"
 #include "findings/model_difference.hpp"
 #include "findings/model_findings.hpp"
 #include "findings/model_report.hpp"
 
 namespace foramen {
+namespace {
+
+std::vector<ReportTable> figures_of(const std::vector<NamedEvaluation>& evaluations) {
+  std::vector<ReportTable> tables = mark_tables(evaluations);
+  for (ReportTable& table : model_tables(evaluations)) tables.push_back(std::move(table));
+  return tables;
+}
+
+}  // namespace
 
 PageContents page_contents(const ModelRecord& record, const std::optional<Baseline>& baseline) {
   const Evaluation& evaluation = record.evaluation;
@@ -17,7 +27,7 @@ PageContents page_contents(const ModelRecord& record, const std::optional<Baseli
                     .plain_words = in_plain_words(record),
                     .findings = summary_lines(record.run, evaluation),
                     .charts = model_charts(curves),
-                    .figures = model_tables(curves),
+                    .figures = figures_of(curves),
                     .differences = {},
                     .remarks = {},
                     .shapes = shapes_table(record.run, evaluation),

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "findings/mark_findings.hpp"
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/io/label_map.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/read_cohort.hpp"
+#include "inputs/read_marks.hpp"
 #include "inputs/subject_of.hpp"
 #include "inputs/surface_size.hpp"
 #include "io/atomic_file.hpp"
@@ -19,14 +21,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<std::string>& names,
-                                    const InputUnit& unit, std::vector<Message>& notes) {
+struct Surfaces {
+  std::vector<Mesh> meshes;
+  std::vector<AnatomicalSpace> spaces;  // LPS if a file has no tag
+};
+
+Surfaces original_surfaces(const fs::path& folder, const std::vector<std::string>& names,
+                           const InputUnit& unit, std::vector<Message>& notes) {
   if (is_label_map(folder))
     throw InvalidInput(folder.string() + ": is a label map: make meshes of its labels first",
                        {{RemedyKind::extract_surfaces}});
   const auto [files, search_notes] = find_meshes({folder});
   notes.insert(notes.end(), search_notes.begin(), search_notes.end());
-  std::vector<Mesh> surfaces;
+  Surfaces surfaces;
   SizeCheck sizes(unit);
   for (const std::string& name : names) {
     const ShapeFile* file = file_named(files, name);
@@ -37,7 +44,8 @@ std::vector<Mesh> original_surfaces(const fs::path& folder, const std::vector<st
     for (const Message& note : file_notes) notes.push_back(note.about(file->shown()));
     for (Vec3& p : soup.points) p *= millimetres_per(unit.length);
     sizes.add(file->path.string(), soup.points);
-    surfaces.push_back(build_mesh(std::move(soup)));
+    surfaces.meshes.push_back(build_mesh(std::move(soup)));
+    surfaces.spaces.push_back(space.value_or(AnatomicalSpace::lps));
   }
   if (const auto note = sizes.note()) notes.push_back(*note);
   return surfaces;
@@ -72,6 +80,41 @@ void write_true_landmarks(const fs::path& target, const CorrespondingCohort& coh
   }
 }
 
+// Notes on marks that may have been made in other coordinates, or from the other end of a curve.
+void note_doubtful(const MarkTransfer& marks, const std::vector<std::string>& names,
+                   std::vector<Message>& notes) {
+  constexpr double far_mm = 5;
+  for (std::size_t s = 0; s < names.size(); ++s)
+    if (marks.off_surface_mm[s] > far_mm)
+      notes.emplace_back("the marks of " + names[s] + " lie " + fixed(marks.off_surface_mm[s], 1) +
+                         " mm off its surface on average: check their axes (LPS or RAS) and their unit");
+  for (const ReversedCurve& curve : marks.reversed)
+    notes.emplace_back("the curve '" + curve.mark + "' of " + names[curve.shape] +
+                       " runs from the other end than on most shapes: its ends were compared as marked");
+}
+
+struct MarkMeasures {
+  std::optional<MarkTransfer> marks;
+  std::optional<RegionTransfer> regions;
+};
+
+MarkMeasures measure_marks(const EvaluateFolderRequest& request, const CorrespondingCohort& cohort,
+                           const MarkedShapes& shapes, std::vector<Message>& notes, const RunContext& ctx) {
+  MarkMeasures measures;
+  if (!request.marks.empty()) {
+    const ReadMarks read = read_marks(request.marks, shapes, request.unit);
+    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+    measures.marks = mark_transfer(cohort, read.marks, ctx);
+    note_doubtful(*measures.marks, cohort.names, notes);
+  }
+  if (!request.regions.empty()) {
+    const ReadRegions read = read_regions(request.regions, shapes);
+    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+    measures.regions = region_transfer(cohort, read.regions, ctx);
+  }
+  return measures;
+}
+
 std::string summary(const Evaluation& e) {
   std::string text = std::to_string(e.names.size()) + " shapes, " + std::to_string(e.landmarks) +
                      " landmarks (weights: " + std::string(word_of(e.options.weights)) + ")\n";
@@ -85,7 +128,11 @@ std::string summary(const Evaluation& e) {
   if (e.truth)
     text += "truth error: mean " + fixed(e.truth->error.mean, 3) + ", p95 " + fixed(e.truth->error.p95, 3) +
             ", max " + fixed(e.truth->error.max, 2) + " mm\n";
-  for (const ReportTable& table : model_tables({{"mm", &e}})) {
+  for (const std::string& line : mark_lines(e)) text += line + "\n";
+  const std::vector<NamedEvaluation> named{{"mm", &e}};
+  std::vector<ReportTable> tables = mark_tables(named);
+  for (ReportTable& table : model_tables(named)) tables.push_back(std::move(table));
+  for (const ReportTable& table : tables) {
     text += "\n" + table.title + "\n";
     for (const auto& row : table.rows) text += "  " + row[0] + "\t" + row[1] + "\n";
   }
@@ -101,10 +148,14 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
   CorrespondingCohort cohort{folder.names, {}, folder.triangles, folder.shapes, {}};
   cohort.subjects = subjects_of(request, folder);
   std::vector<Message> notes = folder.notes;
-  if (!request.shapes.empty())
-    cohort.inputs = original_surfaces(request.shapes, folder.names, request.unit, notes);
-  else
+  MarkedShapes marked{folder.names, folder.spaces};
+  if (!request.shapes.empty()) {
+    Surfaces surfaces = original_surfaces(request.shapes, folder.names, request.unit, notes);
+    cohort.inputs = std::move(surfaces.meshes);
+    marked.spaces = std::move(surfaces.spaces);
+  } else {
     for (const auto& points : folder.shapes) cohort.inputs.push_back(build_mesh({points, folder.triangles}));
+  }
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, folder.names, request.unit);
   if (!request.true_landmarks.empty()) {
@@ -113,8 +164,12 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
     write_true_landmarks(request.true_landmarks, cohort, *truth, request.unit, ctx);
   }
 
+  // Before the other measures, which take longer, so that a wrong file of marks is named soon.
+  MarkMeasures of_marks = measure_marks(request, cohort, marked, notes, ctx);
   EvaluatedFolder result{
       evaluate(cohort, request.options, ctx, truth ? &*truth : nullptr), {}, {}, std::move(notes)};
+  result.evaluation.marks = std::move(of_marks.marks);
+  result.evaluation.regions = std::move(of_marks.regions);
   if (!request.output.empty()) {
     make_folder(request.output);
     write_metrics(request.output, result.evaluation);

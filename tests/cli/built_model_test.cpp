@@ -1,6 +1,7 @@
 // The files that a build writes, and the commands that read them.
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 
@@ -108,6 +109,31 @@ TEST_F(BuiltModel, EvaluateTakesTheModelItsShapesAndTheTruth) {
   EXPECT_EQ(evaluated.code, 0) << evaluated.output;
   EXPECT_THAT(evaluated.output, HasSubstr("3 shapes, 400 landmarks"));
   EXPECT_THAT(evaluated.output, HasSubstr("truth error: mean"));
+}
+
+TEST_F(BuiltModel, EvaluateTakesMarksAndRegionsAndCompareTestsThem) {
+  std::string table = "shape,landmark,x,y,z\n", labels;
+  for (int v = 0; v < 400; ++v) labels += v < 200 ? "1\n" : "2\n";
+  fs::create_directories(at("labels"));
+  for (const std::string name : {"synth001", "synth002", "synth003"}) {
+    table += name + ",middle,0,0,0\n";
+    std::ofstream(at("labels/" + name + ".txt")) << labels;
+  }
+  std::ofstream(at("marks.csv")) << table;
+  const std::string evaluate = "evaluate --samples 2 " + at("model") + " --marks " + at("marks.csv") +
+                               " --regions " + at("labels") + " -o ";
+  const Outcome evaluated = run(evaluate + at("marked"));
+  ASSERT_EQ(evaluated.code, 0) << evaluated.output;
+  EXPECT_THAT(evaluated.output, HasSubstr("marks, points: mean "));
+  EXPECT_THAT(evaluated.output, HasSubstr("regions: mean Dice 1.0000"));  // the labels are of the landmarks
+  fs::copy(at("marked"), at("marked_again"));
+  const Outcome compared = run("compare " + at("marked") + " " + at("marked_again"));
+  EXPECT_EQ(compared.code, 0) << compared.output;
+  EXPECT_THAT(compared.output, HasSubstr("marked_again minus marked: Marks, points"));
+  EXPECT_THAT(compared.output, HasSubstr("Regions that people marked"));
+  const Outcome refused = run("evaluate " + at("model") + " --marks " + at("nowhere.csv"));
+  EXPECT_NE(refused.code, 0);
+  EXPECT_THAT(refused.output, HasSubstr("nowhere.csv: there is no such file"));
 }
 
 TEST_F(BuiltModel, CompareWritesTablesAndCharts) {

@@ -115,6 +115,56 @@ TEST(ModelDifference, SpecificityHasTheTwoSampleStandardErrorAtCommonModes) {
   EXPECT_FALSE(g.measures[0].by_modes[0].p_value.has_value());
 }
 
+// Marks on all ordered pairs of different subjects; a pair's value is that of its second shape.
+Evaluation marked(Evaluation e, const std::vector<double>& of_shape) {
+  e.marks.emplace();
+  e.regions.emplace();
+  for (int from = 0; from < 3; ++from)
+    for (int to = 0; to < 3; ++to) {
+      if (e.subjects[from] == e.subjects[to]) continue;
+      e.marks->pairs.push_back({from, to, of_shape[to], std::nullopt});
+      e.regions->pairs.push_back({from, to, of_shape[to] / 10});
+    }
+  return e;
+}
+
+TEST(ModelDifference, MarksArePairedOverPairsOfShapes) {
+  // The shapes of the second model have another order: c, a, b.
+  const Evaluation here = marked(first, {1, 2, 3}), there = marked(second, {5, 0.5, 2.5});
+  const ModelDifference d = model_difference({"A", &here}, {"B", &there});
+  const DifferenceGroup& points = group(d, "Marks, points");
+  const DifferenceAtModes& at = points.measures.at(0).by_modes.at(0);
+  // From a and b to c +2 each, from c to a -0.5 and to b +0.5.
+  EXPECT_DOUBLE_EQ(at.difference.mean, 1);
+  EXPECT_TRUE(std::isnan(at.difference.standard_error)) << "there are two subjects";
+  EXPECT_EQ(at.p_value, 1);  // sums 4 and 0
+  EXPECT_THAT(points.note, HasSubstr("over 4 ordered pairs, mm; the second is better in 1;"));
+  const DifferenceGroup& regions = group(d, "Regions");
+  EXPECT_DOUBLE_EQ(regions.measures[0].by_modes[0].difference.mean, 0.1);
+  EXPECT_THAT(regions.note, HasSubstr("the second is better in 3;"));
+  for (const DifferenceGroup& g : d.groups) EXPECT_NE(g.name, "Marks, curves");
+  const auto json = difference_json(d);
+  const auto regions_row = json.at("second_minus_first").at(json.at("second_minus_first").size() - 5);
+  EXPECT_EQ(regions_row.at("measure"), "Regions, Dice");
+  EXPECT_NEAR(regions_row.at("mean_share").get<double>(), 0.1, 1e-15);
+  EXPECT_TRUE(nlohmann::json::parse(regions_row.dump()).at("standard_error_share").is_null());
+}
+
+TEST(ModelDifference, MarksOfThreeSubjectsHaveAJackknifeError) {
+  Evaluation here = first, there = first;
+  here.subjects = there.subjects = {"r", "s", "t"};
+  here = marked(here, {1, 1, 1});
+  there = marked(there, {1, 2, 4});
+  const auto& at =
+      group(model_difference({"A", &here}, {"B", &there}), "Marks, points").measures[0].by_modes[0];
+  EXPECT_DOUBLE_EQ(at.difference.mean, 4.0 / 3);
+  // Without r: 2; without s: 1.5; without t: 0.5.
+  const double m = 4.0 / 3;
+  EXPECT_NEAR(at.difference.standard_error,
+              std::sqrt(2.0 / 3 * (std::pow(2 - m, 2) + std::pow(1.5 - m, 2) + std::pow(0.5 - m, 2))), 1e-14);
+  EXPECT_EQ(at.p_value, 0.25);
+}
+
 TEST(ModelDifference, IsNotPairedForOtherShapesOrAnotherScale) {
   Evaluation other = second;
   other.names[1] = "z";

@@ -60,7 +60,8 @@ TEST(ReadCohort, PackedMeshesAndNotesOnHowTheyWereRead) {
   write_ply(folder.file("other.ply"), other);
   folder.file("tail.ply.gz", packed(bytes_of(folder.file("other.ply")) + "tail"));
   std::filesystem::remove(folder.file("other.ply"));
-  const Cohort cohort = read_cohort(find_meshes({folder.path()}).files, LengthUnit::millimetre, RunContext(1));
+  const Cohort cohort =
+      read_cohort(find_meshes({folder.path()}).files, LengthUnit::millimetre, RunContext(1));
   ASSERT_EQ(cohort.shapes.size(), 2u);
   EXPECT_EQ(cohort.shapes[1].stem, "tail");
   ASSERT_EQ(cohort.notes.size(), 1u);

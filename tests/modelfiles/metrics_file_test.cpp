@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "foramen/core/error.hpp"
+#include "modelfiles/marks_json.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/torus_cohort.hpp"
 
@@ -95,6 +97,43 @@ TEST(MetricsFile, ARefitComesBackWithTheShapesThatEntered) {
   expect_same_items(read.refit->generalization, written.refit->generalization);
   ASSERT_EQ(read.refit->failures.size(), 1u);
   EXPECT_EQ(read.refit->failures[0].reason, "no loops");
+}
+
+TEST(MetricsFile, MarksAndRegionsComeBackByTheNamesOfTheirShapes) {
+  const TemporaryFolder folder;
+  Evaluation written = small_evaluation();
+  EXPECT_THAT(metrics_json(written), ::testing::Not(HasSubstr("\"marks\"")));
+  const TransferEstimate known{0.1, 0.25, 7}, two_subjects{0.7, {}, 2};
+  written.marks = MarkTransfer{.points = TransferSummary{known, 2.5, 9},
+                               .curves = {},
+                               .by_point = {{"rim", MarkPart::middle, two_subjects}},
+                               .by_curve = {{"rim", known}},
+                               .pairs = {{3, 1, 0.5, {}}, {1, 4, {}, 1.0 / 3}},
+                               .marked_shapes = 3,
+                               .incomplete_shapes = 1,
+                               .off_surface_mm = {0, 0.25, 0, 1, 2},
+                               .reversed = {{4, "rim"}}};
+  written.regions = RegionTransfer{known, {{"arch", two_subjects}}, {{0, 2, 0.875}}, 2};
+  write_metrics(folder.path(), written);
+  EXPECT_THAT(testing::bytes_of(folder.file("metrics.csv")),
+              HasSubstr(written.names[3] + " to " + written.names[1] + ",pair,0,mark_points,0.5,mm\n"));
+  const Evaluation read = read_metrics(folder.path());
+  ASSERT_TRUE(read.marks && read.regions && read.marks->points);
+  EXPECT_EQ(read.marks->points->p95, 2.5);
+  EXPECT_EQ(read.marks->points->errors, 9);
+  EXPECT_EQ(read.marks->points->error.standard_error, 0.25);
+  EXPECT_FALSE(read.marks->curves);
+  EXPECT_EQ(read.marks->by_point.at(0).part, MarkPart::middle);
+  EXPECT_EQ(read.marks->by_point[0].error.standard_error, std::nullopt);
+  EXPECT_EQ(read.marks->by_curve.at(0).error.pairs, 7);
+  EXPECT_EQ(read.marks->pairs.at(0).from, 3);
+  EXPECT_EQ(read.marks->pairs[0].points, 0.5);
+  EXPECT_EQ(read.marks->pairs[0].curves, std::nullopt);
+  EXPECT_EQ(read.marks->pairs.at(1).curves, 1.0 / 3);
+  EXPECT_EQ(read.marks->reversed.at(0).shape, 4);
+  EXPECT_EQ(read.marks->off_surface_mm, written.marks->off_surface_mm);
+  EXPECT_EQ(marks_json(*read.marks, read.names), marks_json(*written.marks, written.names));
+  EXPECT_EQ(regions_json(*read.regions, read.names), regions_json(*written.regions, written.names));
 }
 
 TEST(MetricsFile, ATableOfAnotherEvaluationIsRefused) {

@@ -158,6 +158,54 @@ TEST_F(EvaluateFolder, TheTruthHasNoErrorAndItsLandmarksAreWritten) {
     for (std::size_t i = 0; i < 160; ++i) EXPECT_LT((found.shapes[s][i] - meshes.shapes[s][i]).norm(), 1e-4);
 }
 
+TEST_F(EvaluateFolder, MarksAndRegionsAreThoseOfTheFiles) {
+  // Marks at a landmark, and slices of the torus as regions, both moved by one step on the last shape.
+  std::string table = "shape,landmark,x,y,z\n";
+  double step = 0;
+  fs::create_directories(at("labels"));
+  for (std::size_t s = 0; s < 4; ++s) {
+    const std::size_t landmark = s == 3 ? 33 : 32, first = s == 3 ? 8 : 0;
+    const Vec3& p = cohort().corresponding[s][landmark];
+    table += cohort().names[s] + ",tip," + std::to_string(p.x()) + "," + std::to_string(p.y()) + "," +
+             std::to_string(p.z()) + "\n";
+    std::ofstream labels(at("labels") / (cohort().names[s] + ".txt"));
+    for (std::size_t v = 0; v < 160; ++v) labels << (v >= first && v < first + 32 ? "2\n" : "0\n");
+    for (const std::size_t to : {0u, 1u, 2u})
+      if (s == 3) step += (cohort().corresponding[to][33] - cohort().corresponding[to][32]).norm();
+    if (s != 3) step += (cohort().corresponding[3][33] - cohort().corresponding[3][32]).norm();
+  }
+  std::ofstream(at("marks.csv")) << table;
+  EvaluateFolderRequest marked = request();
+  marked.marks = {at("marks.csv")};
+  marked.regions = {at("labels")};
+  marked.output = at("metrics");
+  const EvaluatedFolder found = evaluated(marked);
+  ASSERT_TRUE(found.evaluation.marks && found.evaluation.regions);
+  EXPECT_NEAR(found.evaluation.marks->points->error.mean, step / 12, 1e-4);
+  EXPECT_EQ(found.evaluation.regions->by_region.at(0).region, "2");
+  EXPECT_LT(found.evaluation.regions->dice.mean, 0.95);
+  EXPECT_GT(found.evaluation.regions->dice.mean, 0.8);  // half of the pairs at 3 of 4 slices
+  EXPECT_THAT(found.text, AllOf(HasSubstr("marks, points: mean "), HasSubstr("regions: mean Dice "),
+                                HasSubstr("Points that people marked")));
+  EXPECT_EQ(read_metrics(marked.output).marks->points->error.mean,
+            found.evaluation.marks->points->error.mean);
+  EXPECT_TRUE(found.notes.empty());
+}
+
+TEST_F(EvaluateFolder, DoubtfulMarksAreNoted) {
+  std::string table = "shape,landmark,x,y,z\n";
+  for (std::size_t s = 0; s < 4; ++s) {
+    const Vec3 p = cohort().corresponding[s][32] * (s == 1 ? -1 : 1);
+    table += cohort().names[s] + ",tip," + std::to_string(p.x()) + "," + std::to_string(p.y()) + "," +
+             std::to_string(p.z()) + "\n";
+  }
+  std::ofstream(at("marks.csv")) << table;
+  EvaluateFolderRequest marked = request();
+  marked.marks = {at("marks.csv")};
+  EXPECT_THAT(evaluated(marked).notes,
+              ::testing::ElementsAre(testing::says("the marks of " + cohort().names[1] + " lie ")));
+}
+
 TEST_F(EvaluateFolder, NamesWhatIsMissing) {
   EvaluateFolderRequest without_truth = request();
   without_truth.true_landmarks = at("true");

@@ -10,6 +10,8 @@
 #include "foramen/evaluate/compactness.hpp"
 #include "foramen/evaluate/drawn_shapes.hpp"
 #include "foramen/evaluate/generalization.hpp"
+#include "foramen/evaluate/mark_transfer.hpp"
+#include "foramen/evaluate/region_transfer.hpp"
 #include "foramen/evaluate/representation.hpp"
 #include "foramen/evaluate/specificity.hpp"
 #include "foramen/evaluate/truth_error.hpp"
@@ -65,11 +67,14 @@ struct Evaluation {
   DrawnShapes drawn;
   Representation representation;
   std::optional<TruthError> truth;  ///< unset: no truth was given
-  EvaluationSeconds seconds;        ///< computing times; the only part that differs between runs
+  /// Unset: nothing was marked. evaluate() does not compute them, see mark_transfer() and region_transfer().
+  std::optional<MarkTransfer> marks;
+  std::optional<RegionTransfer> regions;
+  EvaluationSeconds seconds;  ///< computing times; the only part that differs between runs
 };
 
-/// Computes all measures as defined in docs/evaluation.md, except those of a refit. Throws InvalidInput for
-/// fewer than 3 shapes and for a cohort that check_cohort() refuses.
+/// Computes all measures as defined in docs/evaluation.md, except those of a refit, of marks and of
+/// regions. Throws InvalidInput for fewer than 3 shapes and for a cohort that check_cohort() refuses.
 Evaluation evaluate(const CorrespondingCohort& cohort, const EvaluationOptions& options,
                     const RunContext& ctx, const TrueCorrespondence* truth = nullptr);
 
