@@ -14,9 +14,9 @@ namespace {
 
 // Standard deviations of the laws. They were chosen together with those of the random fields (RoughDeformation).
 constexpr double left_right_correlation = 0.6;
-constexpr double growth_mm = 2.0, tilt_mm = 1.8;  // at the tip of a process
-constexpr double slide_mm = 0.7, turn = 0.12, facet_growth = 0.12;
-constexpr double rim_mm = 0.9;
+constexpr double growth_mm = 1.2, tilt_mm = 1.1;  // at the tip of a process
+constexpr double slide_mm = 0.4, turn = 0.07, facet_growth = 0.07;
+constexpr double rim_mm = 0.55;
 
 template <std::size_t count>
 using Scores = std::array<double, count>;
