@@ -18,7 +18,12 @@ computation and is raised again. Errors are those of the C++ library: Error and 
 TopologyError (a subclass of InvalidInput), ConvergenceError and Cancelled.
 """
 
-from . import _foramen
+try:
+    from . import _foramen
+except ImportError as error:
+    from ._libraries import explained
+
+    raise explained(error) from None
 from ._foramen import Cancelled, ConvergenceError, Error, InvalidInput, IoError, TopologyError
 from ._mesh import Mesh, Repaired, inspect, read_mesh, repair, surface_distance, synth, write_mesh
 from ._model import Completion, Measures, Model, Projection

@@ -106,7 +106,7 @@ if(page_count LESS 10)
 endif()
 
 set(sources "")
-set(scripts dev .ci/run CMakeLists.txt)
+set(scripts dev .ci/run .ci/portability packaging/build debian/rules Containerfile CMakeLists.txt)
 foreach(folder IN ITEMS apps bench cmake examples fuzz include python src studies tests)
   file(GLOB_RECURSE found RELATIVE ${ROOT} ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/*.hpp)
   list(APPEND sources ${found})
