@@ -234,9 +234,9 @@ struct RegisterGroupOptions {
   Bending bending = Bending::cohort;
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
-  DeformTemplateOptions first = {.match = {.curved_share = 1}};
+  DeformTemplateOptions first = {.match = {.curved_share = 0.4}};
   DeformTemplateOptions again = {
-      .noise_mm = {1, 0.5, 0.25}, .iterations = 2, .match = {.normal_weight = 4, .curved_share = 1}};
+      .noise_mm = {1, 0.5, 0.25}, .iterations = 2, .match = {.normal_weight = 4, .curved_share = 0.4}};
   SurfaceTargetsOptions targets = {};
   FeatureTargetsOptions features = {};
   int metric_updates = 2;
