@@ -11,8 +11,8 @@
 
 namespace foramen {
 
-/// The two principal curvatures k at each vertex as tanh(k / k0), with k0 = 0.3 / mm. Like the mesh, they do not
-/// change if the surface is moved.
+/// The two principal curvatures k at each vertex as tanh(k / k0), with k0 = 0.3 / mm. Like the mesh, they
+/// do not change if the surface is moved.
 VertexMap<Vec2> curvature_features(const Mesh& mesh, const FeatureTargetsOptions& options);
 
 /// The features of a template as a function of the position in the plane.
@@ -37,9 +37,10 @@ class FeatureField {
 ///
 ///     weight w |f(x0) + f'(x0) (x - x0) - f_v|^2,   w = 1 / (1 + |f(x0) - f_v|^2 / s^2)^2,
 ///
-/// where f is the FeatureField of the template and f_v the feature of the shape. This is a Gauss-Newton step of
-/// the robust squared difference. Ridges of the shape, such as the rims of the body and of the facets, are thus
-/// drawn to ridges of the template; the nearest surface says little about the place along it.
+/// where f is the FeatureField of the template and f_v the feature of the shape. This is a Gauss-Newton
+/// step of the robust squared difference. Ridges of the shape, such as the rims of the body and of the
+/// facets, are thus drawn to ridges of the template; the nearest surface says little about the place along
+/// it.
 class FeatureTargets : public CorrespondenceObjective {
  public:
   /// \param further  is used as long as this object

@@ -81,7 +81,8 @@ void MemberSteps::begin(Member& member, const Alignment& to_reference, const Pre
   // meaningful while the vertices are far from their targets.
   member.map = optimise_map(aligned, member.map.map, single_, optimise_options(), targets.get());
   const double energy = member.map.initial_energy;
-  improve(member, aligned, to);
+  // A ridge of the shape may still be near another ridge of the template than its own.
+  improve(member, aligned, to, std::nullopt);
   member.map.initial_energy = energy;
 }
 
@@ -142,8 +143,12 @@ std::unique_ptr<CorrespondenceObjective> MemberSteps::objective(const Member& me
 }
 
 void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to) const {
+  improve(member, aligned, to, features_of(member, aligned));
+}
+
+void MemberSteps::improve(Member& member, const Mesh& aligned, const PreparedTemplate& to,
+                          const std::optional<VertexMap<Vec2>>& features) const {
   const auto pull = objective(member, aligned, to);
-  const auto features = features_of(member, aligned);
   for (int k = 0; k < options_.metric_updates; ++k) {
     const int before = member.map.iterations;
     member.map = optimised(aligned, member.map.map, to, *pull, features ? &*features : nullptr);

@@ -88,6 +88,9 @@ class MemberSteps {
   /// \param features  of the shape, to agree with the template's; null: they do not matter
   OptimisedMap optimised(const Mesh& aligned, const TorusMap& start, const PreparedTemplate& to,
                          const CorrespondenceObjective& pull, const VertexMap<Vec2>* features) const;
+  /// As improve(), with the features of the shape; unset: they do not matter.
+  void improve(Member& member, const Mesh& aligned, const PreparedTemplate& to,
+               const std::optional<VertexMap<Vec2>>& features) const;
   /// Of the shape; unset if they do not matter.
   std::optional<VertexMap<Vec2>> features_of(const Member& member, const Mesh& aligned) const;
   std::unique_ptr<CorrespondenceObjective> objective(const Member& member, const Mesh& aligned,

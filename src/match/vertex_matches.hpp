@@ -19,7 +19,8 @@ struct VertexMatch {
 };
 
 /// The distance from which on matches are rejected: rejection * max(median, least_median_mm), mm, with the
-/// median distance of the given matches. Other matches may be weighted by it, too. \pre matches are not empty
+/// median distance of the given matches. Other matches may be weighted by it, too. \pre matches are not
+/// empty
 double match_cut(std::span<const VertexMatch> matches, const MatchOptions& options);
 
 /// The noise and the rejection distance of a set of matches.
@@ -32,9 +33,9 @@ struct MatchScale {
 ///
 ///     P = w ((1 - s) n n^T + s I),   w = tukey(distance / cut) area / independent_area / (2 noise^2),
 ///
-/// n is the mean of both normals and s = min(1, tangential_share + curved_share c_1 c_2) with the curvedness c of both
-/// points. The factor 2 accounts for matches from both
-/// surfaces, which observe each place twice.
+/// n is the mean of both normals and s = min(1, tangential_share + curved_share c_1 c_2) with the
+/// curvedness c of both points. The factor 2 accounts for matches from both surfaces, which observe each
+/// place twice.
 /// \param at_vertex  the template at the vertex
 Mat3 match_precision(const VertexMatch& match, const OrientedPoint& at_vertex, const MatchScale& scale,
                      const MatchOptions& options);

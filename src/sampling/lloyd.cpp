@@ -14,8 +14,8 @@ constexpr int landmarks_per_task = 256;
 // same quality. With factors above 2 the iteration does not converge.
 constexpr double over_relaxation = 1.6;
 
-/// The one-ring of a landmark unfolded to the plane: the landmark is at 0, neighbours are at their distances,
-/// and the angles between them are scaled to sum to 2 pi.
+/// The one-ring of a landmark unfolded to the plane: the landmark is at 0, neighbours are at their
+/// distances, and the angles between them are scaled to sum to 2 pi.
 struct Unfolded {
   std::vector<int> halfedges;   // outgoing halfedges of the landmark, counter-clockwise
   std::vector<Vec2> neighbour;  // end of halfedge k; triangle k is between halfedges k and k + 1
@@ -112,8 +112,8 @@ Move to_torus(const LandmarkState& s, const Unfolded& ring, const Vec2& target) 
 
 Fixed2 rounded(const Vec2& fixed) { return {std::llround(fixed.x()), std::llround(fixed.y())}; }
 
-/// Makes all moves. If a triangle flips or nearly vanishes, the moves of its corners are halved and finally taken
-/// back. Without moves no triangle does, so this terminates.
+/// Makes all moves. If a triangle flips or nearly vanishes, the moves of its corners are halved and finally
+/// taken back. Without moves no triangle does, so this terminates.
 void make_moves(TorusTriangulation& mesh, const std::vector<Move>& moves) {
   std::vector<Fixed2> old(moves.size());
   std::vector<int> taken_back(moves.size(), 0);

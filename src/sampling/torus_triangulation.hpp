@@ -61,9 +61,9 @@ class TorusTriangulation {
   /// Twice the signed area on the torus, exactly.
   Int128 doubled_area(int f) const { return cross(along(3 * f), along(3 * f + 1)); }
 
-  /// Whether a triangle is still usable after a change: positive, and no less than a millionth of the area that it
-  /// is cut from or had before. Points that are nearly on a line give triangles that are positive and yet so thin
-  /// that the metric of the surface on them is a number without meaning.
+  /// Whether a triangle is still usable after a change: positive, and no less than a millionth of the area
+  /// that it is cut from or had before. Points that are nearly on a line give triangles that are positive
+  /// and yet so thin that the metric of the surface on them is a number without meaning.
   static bool keeps_area(Int128 doubled_area, Int128 before) {
     constexpr Int128 most_shrinkage = 1'000'000;
     return doubled_area > 0 && most_shrinkage * doubled_area >= before;

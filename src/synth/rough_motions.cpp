@@ -12,7 +12,8 @@
 namespace foramen::synth {
 namespace {
 
-// Standard deviations of the laws. They were chosen together with those of the random fields (RoughDeformation).
+// Standard deviations of the laws. They were chosen together with those of the random fields
+// (RoughDeformation).
 constexpr double left_right_correlation = 0.6;
 constexpr double growth_mm = 1.2, tilt_mm = 1.1;  // at the tip of a process
 constexpr double slide_mm = 0.4, turn = 0.07, facet_growth = 0.07;
@@ -71,8 +72,9 @@ LocalMotion motion_of(const Facet& facet, const Scores<5>& scores) {
               turning(turn * (scores[2] * along + scores[3] * across)) + facet_growth * scores[4] * in_plane};
 }
 
-// A random function of the angle around the body with unit variance. Even cosines and odd sines are symmetric
-// left to right and the others are antisymmetric, so their variances set the correlation of left and right.
+// A random function of the angle around the body with unit variance. Even cosines and odd sines are
+// symmetric left to right and the others are antisymmetric, so their variances set the correlation of left
+// and right.
 class RimLaw {
  public:
   explicit RimLaw(Rng& rng) {

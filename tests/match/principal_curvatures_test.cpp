@@ -16,8 +16,8 @@ VertexMap<PrincipalCurvatures> curvatures_of(const Mesh& mesh, double radius_mm)
   return principal_curvatures(mesh, vertex_normals(mesh), radius_mm);
 }
 
-// A torus round the z axis has the curvature 1 / r along its tube, and cos t / (R + r cos t) across, where t is the
-// angle in the tube from its outermost circle.
+// A torus round the z axis has the curvature 1 / r along its tube, and cos t / (R + r cos t) across, where
+// t is the angle in the tube from its outermost circle.
 TEST(PrincipalCurvatures, OfATorusAreThoseOfTheFormula) {
   const double major = 20, minor = 8;
   const Mesh torus = build_mesh(torus_soup(160, 80, major, minor));
@@ -50,7 +50,8 @@ TEST(PrincipalCurvatures, MoveWithTheSurface) {
   }
 }
 
-// Two sheets nearer to each other than the radius, as the two sides of a thin wall: each is curved by itself.
+// Two sheets nearer to each other than the radius, as the two sides of a thin wall: each is curved by
+// itself.
 TEST(PrincipalCurvatures, DoNotSeeTheOtherSideOfAThinWall) {
   const Mesh thick = build_mesh(torus_soup(160, 80, 20, 8));
   std::vector<Vec3> flat(thick.positions().begin(), thick.positions().end());

@@ -29,21 +29,21 @@ struct EnumWords<SynthDeformation> {
 };
 
 /// The defaults and the shapes that they give must not change: published results identify a cohort by its
-/// seed alone, so they would not be comparable with new ones. The same holds for rough cohorts. A test checks
-/// checksums of smooth and of rough cohorts.
+/// seed alone, so they would not be comparable with new ones. The same holds for rough cohorts. A test
+/// checks checksums of smooth and of rough cohorts.
 struct SynthOptions {
   int shapes = 14;         ///< >= 1
   std::uint64_t seed = 1;  ///< seed of the cohort; each item has its own random streams, forked from it
   SynthDeformation deformation = SynthDeformation::smooth;
   /// The next three options describe the smooth deformation, which a rough cohort has too.
   ///
-  /// Number of true modes of variation, with variances proportional to 1/k; 0: each shape has an independent
-  /// random deformation.
+  /// Number of true modes of variation, with variances proportional to 1/k; 0: each shape has an
+  /// independent random deformation.
   int modes = 4;
-  /// RMS displacement of a coordinate over the ensemble, to first order [mm]. >= 0. This sets the difficulty:
-  /// with the default amplitude and correlation, the closest points with compatible normals after rigid
-  /// alignment by the truth differ from the true corresponding points by about 1.8 mm on average (95th
-  /// percentile 3.9 mm for modes = 0 and 4.6 mm for modes = 4).
+  /// RMS displacement of a coordinate over the ensemble, to first order [mm]. >= 0. This sets the
+  /// difficulty: with the default amplitude and correlation, the closest points with compatible normals
+  /// after rigid alignment by the truth differ from the true corresponding points by about 1.8 mm on
+  /// average (95th percentile 3.9 mm for modes = 0 and 4.6 mm for modes = 4).
   double amplitude_mm = 2.1;
   /// Displacements at distance r are correlated by exp(-r^2 / (2 correlation_mm^2)) [mm]. > 0.
   double correlation_mm = 40.0;
@@ -83,9 +83,10 @@ struct SynthShape {
   TriangleSoup truth;
 };
 
-/// Makes a cohort from a template, a lumbar vertebra given as an implicit surface (vertebra_surface()). Each
-/// shape is triangulated independently and deformed by the flow of a smooth random velocity field, which is a
-/// diffeomorphism. In a rough cohort other flows come before it (SynthDeformation::rough). All surfaces are closed manifolds of genus 1, wound outward.
+/// Makes a cohort from a template, a lumbar vertebra given as an implicit surface (vertebra_surface()).
+/// Each shape is triangulated independently and deformed by the flow of a smooth random velocity field,
+/// which is a diffeomorphism. In a rough cohort other flows come before it (SynthDeformation::rough). All
+/// surfaces are closed manifolds of genus 1, wound outward.
 ///
 /// The field of item i is \f$ v_i = \sum_k b_{ik} V_k \f$, with \f$ b_{ik} \sim N(0, \sigma_k^2) \f$, \f$
 /// \sigma_k^2 \propto 1/k \f$, \f$ \sum_k \sigma_k^2 \f$ = amplitude^2 and V_k fields of the cohort; without
