@@ -191,7 +191,7 @@ void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
 }
 
 struct FeatureTargetsOptions {
-  double weight_mm2 = 24;
+  double weight_mm2 = 0;
   double robust_difference = 0.5;
   double radius_mm = 2.5;
 };
@@ -234,9 +234,8 @@ struct RegisterGroupOptions {
   Bending bending = Bending::cohort;
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
-  DeformTemplateOptions first = {.match = {.curved_share = 0.4}};
-  DeformTemplateOptions again = {
-      .noise_mm = {1, 0.5, 0.25}, .iterations = 2, .match = {.normal_weight = 4, .curved_share = 0.4}};
+  DeformTemplateOptions first = {};
+  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};
   SurfaceTargetsOptions targets = {};
   FeatureTargetsOptions features = {};
   int metric_updates = 2;
