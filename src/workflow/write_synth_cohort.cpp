@@ -18,7 +18,7 @@ std::string synth_name(int index) {
 }  // namespace
 
 SynthSummary write_synth_cohort(const SynthRequest& request, const RunContext& ctx) {
-  const SynthSummary written{request.options.shapes, request.output / "shapes", request.output / "truth"};
+  SynthSummary written{request.options.shapes, request.output / "shapes", request.output / "truth"};
   const auto shapes = synth_cohort(request.options, ctx);
   make_folder(written.surfaces);
   make_folder(written.truth);
