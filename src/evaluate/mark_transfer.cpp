@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "core/parallel.hpp"
-#include "evaluate/percentile.hpp"
 #include "evaluate/polyline.hpp"
 #include "evaluate/subject_pairs.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "spatial/percentile.hpp"
 
 namespace foramen {
 namespace {

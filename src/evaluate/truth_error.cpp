@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/parallel.hpp"
-#include "evaluate/percentile.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/spatial/triangle_tree.hpp"
+#include "spatial/percentile.hpp"
 
 namespace foramen {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
+#include "spatial/percentile.hpp"
 
 namespace foramen {
 namespace {
@@ -28,14 +29,6 @@ std::vector<double> distances(const Mesh& from, std::span<const SurfacePoint> sa
 
 double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-// The smallest value that at least the fraction `share` of all values does not exceed.
-double percentile(std::vector<double> values, double share) {
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  const auto nth = values.begin() + std::max<std::ptrdiff_t>(0, static_cast<std::ptrdiff_t>(rank) - 1);
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 // Returns the maximum of `largest` and the distances of all vertices of `from`. For most vertices the cheap
@@ -85,7 +78,7 @@ SurfaceDistance surface_distance(const TriangleTree& a, std::span<const SurfaceP
   all.insert(all.end(), back.begin(), back.end());
   const double largest_sample = *std::max_element(all.begin(), all.end());
   result.hausdorff = raised_by_vertices(b.mesh(), a, raised_by_vertices(a.mesh(), b, largest_sample));
-  result.p95 = percentile(std::move(all), 0.95);
+  result.p95 = detail::percentile_95(std::move(all));
   return result;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The 95th percentile of errors.
+/// Private to spatial and evaluate: the 95th percentile of errors.
 
 #include <algorithm>
 #include <cmath>
