@@ -1,6 +1,5 @@
 #include "correspond/feature_targets.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <Eigen/LU>
@@ -11,11 +10,9 @@
 namespace foramen {
 
 VertexMap<Vec2> curvature_features(const Mesh& mesh, const FeatureTargetsOptions& options) {
-  constexpr double half_way = 0.3;  // k0
   const auto curvatures = principal_curvatures(mesh, vertex_normals(mesh), options.radius_mm);
   VertexMap<Vec2> features(mesh.vertex_count(), Vec2::Zero());
-  for (VertexId v : mesh.vertices())
-    features[v] = {std::tanh(curvatures[v].largest / half_way), std::tanh(curvatures[v].smallest / half_way)};
+  for (VertexId v : mesh.vertices()) features[v] = squashed(curvatures[v]);
   return features;
 }
 
@@ -31,8 +28,9 @@ FeatureField::FeatureField(const TemplateSurface& surface, VertexMap<Vec2> featu
     edges << plane[1] - plane[0], plane[2] - plane[0];
     changes << features_[c[1]] - features_[c[0]], features_[c[2]] - features_[c[0]];
     const double area_of_face = area(surface.mesh.triangle(f));
+    const Mat2 slopes = changes * edges.inverse();
     for (VertexId corner : c) {
-      slopes_[corner] += area_of_face * changes * edges.inverse();
+      slopes_[corner] += area_of_face * slopes;
       areas[corner] += area_of_face;
     }
   }

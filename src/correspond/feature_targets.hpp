@@ -11,8 +11,7 @@
 
 namespace foramen {
 
-/// The two principal curvatures k at each vertex as tanh(k / k0), with k0 = 0.3 / mm. Like the mesh, they
-/// do not change if the surface is moved.
+/// The squashed() principal curvatures at each vertex. They do not change if the surface is moved.
 VertexMap<Vec2> curvature_features(const Mesh& mesh, const FeatureTargetsOptions& options);
 
 /// The features of a template as a function of the position in the plane.
@@ -39,8 +38,8 @@ class FeatureField {
 ///
 /// where f is the FeatureField of the template and f_v the feature of the shape. This is a Gauss-Newton
 /// step of the robust squared difference. Ridges of the shape, such as the rims of the body and of the
-/// facets, are thus drawn to ridges of the template; the nearest surface says little about the place along
-/// it.
+/// facets, are thus drawn to ridges of the template; the closest point says little about the place along the
+/// surface.
 class FeatureTargets : public CorrespondenceObjective {
  public:
   /// \param further  is used as long as this object

@@ -1,6 +1,5 @@
 #include "match/principal_curvatures.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -92,9 +91,11 @@ VertexMap<PrincipalCurvatures> principal_curvatures(const Mesh& mesh, const Vert
   return curvatures;
 }
 
-double curvedness(const PrincipalCurvatures& k) {
+Vec2 squashed(const PrincipalCurvatures& k) {
   constexpr double half_way = 0.3;  // 1/mm
-  return std::max(std::abs(std::tanh(k.largest / half_way)), std::abs(std::tanh(k.smallest / half_way)));
+  return {std::tanh(k.largest / half_way), std::tanh(k.smallest / half_way)};
 }
+
+double curvedness(const PrincipalCurvatures& k) { return squashed(k).cwiseAbs().maxCoeff(); }
 
 }  // namespace foramen

@@ -19,8 +19,11 @@ struct PrincipalCurvatures {
 VertexMap<PrincipalCurvatures> principal_curvatures(const Mesh& mesh, const VertexMap<Vec3>& normals,
                                                     double radius_mm);
 
-/// How much a place is curved, in [0, 1): max(|tanh(k1 / k0)|, |tanh(k2 / k0)|) with k0 = 0.3 / mm. On
-/// vertebrae it is near 0 on the walls of the body and above 0.8 on its rims and on those of the facets.
+/// (tanh(k1 / k0), tanh(k2 / k0)) with k0 = 0.3 / mm, so that the sharpest edge does not count for more
+/// than a rim.
+Vec2 squashed(const PrincipalCurvatures& k);
+
+/// How much a place is curved, in [0, 1): the larger magnitude of the two squashed() curvatures.
 double curvedness(const PrincipalCurvatures& k);
 
 }  // namespace foramen

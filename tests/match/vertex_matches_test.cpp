@@ -37,6 +37,19 @@ TEST(MatchPrecision, HoldsAcrossTheSurfaceAndLessAlongIt) {
   EXPECT_LT((p * Vec3::UnitZ() - 0.2 * weight * Vec3::UnitZ()).norm(), 1e-12);
 }
 
+TEST(MatchPrecision, HoldsMoreAlongTheSurfaceWhereBothAreCurved) {
+  const MatchScale scale{.noise_mm = 0.5, .cut_mm = 6};
+  const MatchOptions options{.tangential_share = 0.2, .curved_share = 0.9};
+  const auto share_with = [&](double of_vertex, double of_partner) {
+    const VertexMatch match{7, {Vec3::Zero(), Vec3::UnitX(), false, of_partner}, 3, 10};
+    const Mat3 p = match_precision(match, {Vec3::Zero(), Vec3::UnitX(), false, of_vertex}, scale, options);
+    return p(1, 1) / p(0, 0);
+  };
+  EXPECT_NEAR(share_with(0.5, 0.8), 0.2 + 0.9 * 0.5 * 0.8, 1e-12);
+  EXPECT_NEAR(share_with(0, 0.8), 0.2, 1e-12);
+  EXPECT_NEAR(share_with(1, 1), 1, 1e-12);
+}
+
 TEST(MatchPrecision, EndsAtTheCut) {
   const MatchScale scale{.noise_mm = 1, .cut_mm = 2};
   for (const double distance : {2.0, 3.0}) {
