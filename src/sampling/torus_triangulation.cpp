@@ -65,8 +65,8 @@ bool TorusTriangulation::can_flip(int h) const {
   const int c = apex(h), d = apex(t);
   if (c == d || adjacent(c, d)) return false;
   const Fixed2 db = along(prev(t)), dc = db + along(next(h)), da = -along(next(t));
-  return keeps_area(cross(db, dc), doubled_area(h / 3) + doubled_area(t / 3)) &&
-         keeps_area(cross(dc, da), doubled_area(h / 3) + doubled_area(t / 3));
+  const Int128 both = doubled_area(h / 3) + doubled_area(t / 3);
+  return keeps_area(cross(db, dc), both) && keeps_area(cross(dc, da), both);
 }
 
 int TorusTriangulation::flip(int h) {
