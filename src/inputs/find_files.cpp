@@ -1,7 +1,6 @@
 #include "inputs/find_files.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -11,17 +10,13 @@
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/folder_names.hpp"
 #include "inputs/search_folder.hpp"
+#include "io/file_bytes.hpp"
 #include "io/foreign_file.hpp"
 
 namespace foramen {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
@@ -112,7 +107,8 @@ std::vector<Candidate> candidates_in(const std::vector<fs::path>& inputs, const 
 
 bool is_vertebra_mask(const fs::path& path) {
   const std::string stem = stem_of(path);
-  return is_label_map(path) && lower(stem).starts_with("vertebra") && level_in_file_name(stem);
+  return is_label_map(path) && io_detail::lower_case(stem).starts_with("vertebra") &&
+         level_in_file_name(stem);
 }
 
 // Passes over what lies among masks of vertebrae but is no vertebra.

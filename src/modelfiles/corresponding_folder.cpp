@@ -6,11 +6,11 @@
 #include "inputs/surface_size.hpp"
 
 namespace foramen {
+namespace {
 
-CorrespondingFolder read_corresponding(const std::filesystem::path& folder, const InputUnit& unit) {
+CorrespondingFolder read_files(const FoundFiles& found, const InputUnit& unit) {
   CorrespondingFolder result;
   SizeCheck sizes(unit);
-  const FoundFiles found = find_meshes({folder});
   result.notes = found.notes;
   for (const ShapeFile& file : found.files) {
     MeshFile read = read_mesh(file.path);
@@ -34,18 +34,24 @@ CorrespondingFolder read_corresponding(const std::filesystem::path& folder, cons
   return result;
 }
 
+}  // namespace
+
+CorrespondingFolder read_corresponding(const std::filesystem::path& folder, const InputUnit& unit) {
+  return read_files(find_meshes({folder}), unit);
+}
+
 TrueCorrespondence read_truth(const std::filesystem::path& folder, const std::vector<std::string>& names,
                               const InputUnit& unit) {
-  CorrespondingFolder all = read_corresponding(folder, unit);
-  const std::vector<ShapeFile> files = find_meshes({folder}).files;  // in the order of the shapes
+  const FoundFiles found = find_meshes({folder});
+  CorrespondingFolder all = read_files(found, unit);  // in the order of the files
   TrueCorrespondence truth;
   truth.triangles = std::move(all.triangles);
   for (const std::string& name : names) {
-    const ShapeFile* found = file_named(files, name);
-    if (found == nullptr)
+    const ShapeFile* file = file_named(found.files, name);
+    if (file == nullptr)
       throw InvalidInput(folder.string() + ": there is no true correspondence for the shape " + name +
                          "; its file must have this name");
-    truth.shapes.push_back(all.shapes[found - files.data()]);
+    truth.shapes.push_back(all.shapes[file - found.files.data()]);
   }
   return truth;
 }

@@ -1,5 +1,6 @@
 #pragma once
-/// \file metrics.csv: the values of single shapes, draws and pairs of shapes, from which the estimates of
+/// \file
+/// metrics.csv: the values of single shapes, draws and pairs of shapes, from which the estimates of
 /// metrics.json are computed.
 
 #include <filesystem>

@@ -1,7 +1,5 @@
 #include "workflow/repair_file.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <functional>
 #include <utility>
 
@@ -10,6 +8,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "inputs/read_cohort.hpp"
+#include "io/file_bytes.hpp"
 #include "modelfiles/repair_record.hpp"
 
 namespace foramen {
@@ -21,9 +20,7 @@ using nlohmann::ordered_json;
 using SurfaceWriter = std::function<void(const fs::path&, const TriangleSoup&, AnatomicalSpace)>;
 
 SurfaceWriter writer_for(const fs::path& output) {
-  std::string extension = output.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = io_detail::lower_case(output.extension().string());
   if (extension == ".ply")
     return [](const auto& path, const auto& soup, auto space) { write_ply(path, soup, space); };
   if (extension == ".vtp") return write_vtp;
