@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "findings/compare_models.hpp"
 #include "modelfiles/metrics_file.hpp"
@@ -49,10 +51,10 @@ Evaluation evaluation(const std::vector<ShapeFigures>& shapes, const Estimate& s
 const Evaluation first = evaluation({{"a", "s", 10, 1}, {"b", "s", 20, 2}, {"c", "t", 30, 9}}, {7, 3});
 const Evaluation second = evaluation({{"c", "t", 33, 5}, {"a", "s", 11, 2}, {"b", "s", 22, 4}}, {9, 4});
 
-const DifferenceGroup& group(const ModelDifference& difference, const std::string& name) {
+const DifferenceGroup& group(const ModelDifference& difference, std::string_view name) {
   for (const DifferenceGroup& g : difference.groups)
     if (g.name == name) return g;
-  throw std::runtime_error("no " + name);
+  throw std::runtime_error("no " + std::string(name));
 }
 
 TEST(ModelDifference, PairsShapesByName) {
