@@ -13,6 +13,7 @@
 #include "foramen/topology/inspect_mesh.hpp"
 #include "inputs/label_map_notes.hpp"
 #include "inputs/surface_size.hpp"
+#include "inputs/unused_points.hpp"
 #include "io/sha256.hpp"
 
 namespace foramen {
@@ -173,6 +174,8 @@ RepairedMesh repair_surface(TriangleSoup raw, const InputUnit& unit, const Repai
 
 InputShape usable_shape(InputShape shape, TriangleSoup surface, const InputUnit& unit,
                         const std::optional<RepairOptions>& repair, const RunContext& ctx) {
+  if (const auto note = drop_unused_points(surface))
+    shape.notes.push_back(shape.file_name.empty() ? *note : note->about(shape.file_name));
   const MeshReport report = inspect_mesh(surface);
   if (const auto obstacle = obstacle_to_model(report)) {
     if (!repair) throw TopologyError(obstacle->message());

@@ -67,6 +67,17 @@ std::string_view dicom_kind(std::string_view bytes) {
   return "a DICOM file";
 }
 
+// The type of a VTK file in XML, empty for other files.
+std::string_view vtk_type(std::string_view bytes) {
+  constexpr std::string_view element = "<VTKFile", attribute = "type=\"";
+  std::string_view text = bytes.substr(0, 4096);
+  if (text.find(element) == std::string_view::npos) return {};
+  text.remove_prefix(text.find(element));
+  if (text.find(attribute) == std::string_view::npos) return {};
+  text.remove_prefix(text.find(attribute) + attribute.size());
+  return text.substr(0, text.find('"'));
+}
+
 }  // namespace
 
 void refuse_foreign(const Source& source) {
@@ -76,6 +87,9 @@ void refuse_foreign(const Source& source) {
   for (const Kind& kind : kinds)
     if (source.bytes.size() > kind.at && source.bytes.substr(kind.at).starts_with(kind.mark))
       source.refuse(std::string("is ") + kind.name, kind.remedy);
+  if (const std::string_view type = vtk_type(source.bytes); !type.empty() && type != "PolyData")
+    source.refuse("is a VTK file of the type " + in_quotes(type),
+                  "save its surface as VTP or PLY, in ParaView after the filter Extract Surface");
   const std::string start = lower_case(source.bytes.substr(0, 64));
   if (start.find("<!doctype html") != std::string::npos || start.starts_with("<html"))
     source.refuse("is a web page", "it may be a download that failed or needs a login: download it again");

@@ -59,10 +59,14 @@ std::string first_of(const HeaderFields& fields, std::initializer_list<const cha
   return *keys.begin();
 }
 
-// Sets the axes and the origin in LPS. A header without a matrix means the axes of the space, and one without
-// an offset means its origin.
+// Sets the axes and the origin in LPS. A header without a matrix means the axes of the space, one without an
+// offset its origin, and one without spacing 1 mm, as in ITK.
 void set_geometry(const HeaderFields& fields, std::size_t dimensions, VoxelLayout& layout) {
-  const auto spacing = fields.numbers(first_of(fields, {"elementspacing", "elementsize"}), dimensions);
+  const std::string size = first_of(fields, {"elementspacing", "elementsize"});
+  const auto spacing =
+      fields.has(size) ? fields.numbers(size, dimensions) : std::vector<double>(dimensions, 1.0);
+  if (!fields.has(size))
+    layout.notes.emplace_back("its header has no ElementSpacing: voxels of 1 mm were assumed");
   const std::string offset = first_of(fields, {"offset", "position", "origin"});
   const auto origin =
       fields.has(offset) ? fields.numbers(offset, dimensions) : std::vector<double>(dimensions, 0.0);

@@ -78,7 +78,7 @@ class SurfaceReader {
 
  private:
   const XmlElement& poly_data(const XmlElement& root) const {
-    const XmlElement* data = root.attribute("type") == "PolyData" ? root.child("PolyData") : nullptr;
+    const XmlElement* data = root.child("PolyData");
     if (data == nullptr)
       source_.refuse("is no PolyData", "foramen reads surfaces, no images or grids: export the surface");
     return *data;

@@ -216,9 +216,6 @@ std::optional<Obstacle> not_one_surface(const MeshReport& r) {
     return Obstacle{"its triangles are not all wound the same way (" +
                         counted(r.misoriented_edges, "edge", "edges") + " between opposite ones)",
                     "repair the surface, which winds them alike", by_repair};
-  if (r.unused_vertices > 0)
-    return Obstacle{counted(r.unused_vertices, "vertex belongs", "vertices belong") + " to no triangle",
-                    "repair the surface", by_repair};
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
 #include "foramen/repair/handles.hpp"
+#include "inputs/unused_points.hpp"
 #include "modelfiles/mesh_report_json.hpp"
 #include "modelfiles/repair_record.hpp"
 
@@ -18,7 +19,7 @@ using nlohmann::ordered_json;
 std::optional<SurfaceHandles> handles_of(const TriangleSoup& soup, const MeshReport& r,
                                          const RunContext& ctx) {
   if (r.genus.value_or(0) < 2 || *r.genus > RemoveHandlesOptions().most_handles || !is_in_millimetres(r) ||
-      r.duplicate_triangles + r.unused_vertices + r.invalid_triangles + r.non_finite_vertices > 0)
+      r.duplicate_triangles + r.invalid_triangles + r.non_finite_vertices > 0)
     return std::nullopt;
   const Mesh mesh = build_mesh(soup);
   try {
@@ -59,6 +60,7 @@ InspectedFile inspect_file(const InspectRequest& request, const RunContext& ctx)
     result.size_unit = size_unit_of(result.report, request.unit);
     result.space = read.space;
     result.notes = std::move(read.notes);
+    if (const auto note = drop_unused_points(read.soup)) result.notes.push_back(*note);
     if (request.find_handles) result.handles = handles_of(read.soup, result.report, ctx);
   } catch (const Cancelled&) {
     throw;

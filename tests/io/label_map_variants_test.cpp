@@ -164,6 +164,16 @@ TEST(LabelMapVariants, MetaImageOfFewFields) {
   EXPECT_EQ(map.origin, Vec3(0, 0, 0));
   EXPECT_EQ(map.axes, Mat3(Vec3(1, 2, 3).asDiagonal()));
   EXPECT_EQ(map.labels, (std::vector<std::uint16_t>{1, 2, 3, 4}));
+  EXPECT_TRUE(map.notes.empty());
+}
+
+TEST(LabelMapVariants, MetaImageWithoutSpacingIsOfOneMillimetreAndSaysSo) {
+  const TemporaryFolder folder;
+  const LabelMap map = read_label_map(folder.file(
+      "a.mha", "NDims = 3\nDimSize = 2 2 1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n\1\2\3\4"));
+  EXPECT_EQ(map.axes, Mat3(Mat3::Identity()));
+  ASSERT_EQ(map.notes.size(), 1u);
+  EXPECT_NE(map.notes[0].text.find("voxels of 1 mm were assumed"), std::string::npos);
 }
 
 TEST(LabelMapVariants, SlicesInSeveralFiles) {

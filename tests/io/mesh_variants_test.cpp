@@ -322,9 +322,11 @@ TEST(MeshVariants, OtherKindsOfFilesAreNamed) {
       {"\x89PNG\r\n\x1a\n", "a picture (PNG)"},
       {"MATLAB 5.0 MAT-file, x", "a MATLAB file"},
       {"ISO-10303-21;\nHEADER;", "a STEP file"},
+      {"<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">",
+       "a VTK file of the type 'UnstructuredGrid'"},
       {"<!DOCTYPE html><html>", "a web page"}};
   for (const auto& [bytes, kind] : cases)
-    for (const char* name : {"a.stl", "a.vtk", "a.dcm"}) try {
+    for (const char* name : {"a.stl", "a.vtk", "a.vtu", "a.dcm"}) try {
         read(name, bytes);
         ADD_FAILURE() << kind << " was read";
       } catch (const IoError& e) {

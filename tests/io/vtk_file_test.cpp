@@ -200,7 +200,7 @@ TEST(VtkFile, MalformedVtpIsRefused) {
   const std::string zlib = whole("inline_zlib.vtp"), raw = whole("appended_raw.vtp");
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"<other></other>", "has no <VTKFile> element"},
-      {replaced(good, "\"PolyData\"", "\"ImageData\""), "is no PolyData"},
+      {replaced(good, "\"PolyData\"", "\"ImageData\""), "is a VTK file of the type 'ImageData'"},
       {good.substr(0, good.size() / 2), "does not end with </VTKFile>"},
       {replaced(good, "NumberOfPoints=\"4\"", "NumberOfPoints=\"9000000000000000000\""),
        "its array 'Points' holds 12 numbers instead of 3 x 9000000000000000000"},

@@ -135,9 +135,6 @@ std::vector<Broken> broken_surfaces() {
   s = torus;
   s.triangles[4][1] = s.triangles[4][0];
   add("repeated_corner", s, &MeshReport::degenerate_triangles, 1, "one vertex twice", "invalid faces");
-  s = torus;
-  s.points.emplace_back(500, 0, 0);
-  add("unused", s, &MeshReport::unused_vertices, 1, "1 vertex belongs to no triangle", "repair the surface");
   add("sphere", tetrahedron(), &MeshReport::euler_number, 2, "(genus 0)", "canal");
   add("two_handles", genus2_soup(9, 7), &MeshReport::euler_number, -2, "genus 2: 2 holes",
       "foramina transversaria");
