@@ -224,6 +224,7 @@ py::dict build_in_memory(const GivenShapes& given, const MadeCorrespondence* mad
   });
   const CohortRegistration& registration = built.registration;
   UsableModel usable;
+  usable.curvatures = mean_surface(built).curvatures.values();
   usable.aligned = std::move(built.aligned);
   usable.names = built.landmarks.names;
   usable.scale = options.model.scale;

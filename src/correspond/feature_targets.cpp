@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "correspond/template_surface.hpp"
 #include "foramen/core/geometry.hpp"
 #include "match/principal_curvatures.hpp"
 
@@ -40,14 +41,7 @@ FeatureField::FeatureField(const TemplateSurface& surface, VertexMap<Vec2> featu
 
 FeatureField::Value FeatureField::at(const TorusLocator& locator, const Vec2& plane_position) const {
   const SurfacePoint place = locator.locate(Vec2(to_turns_ * plane_position));
-  const auto corners = locator.mesh().corners(place.face);
-  Value value{Vec2::Zero(), Mat2::Zero()};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double share = place.barycentric[static_cast<Eigen::Index>(k)];
-    value.features += share * features_[corners[k]];
-    value.slopes += share * slopes_[corners[k]];
-  }
-  return value;
+  return {interpolated(locator.mesh(), features_, place), interpolated(locator.mesh(), slopes_, place)};
 }
 
 FeatureTargets::FeatureTargets(const CorrespondenceObjective& further, const VertexMap<Vec2>& own,

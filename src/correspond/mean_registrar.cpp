@@ -52,7 +52,7 @@ struct MeanRegistrar::Impl {
   Impl(const FineMean& fine, int landmark_count, const RunContext& ctx, const RegisterGroupOptions& how)
       : options(how),
         reference(with_own_loops(fine.surface, ctx).reference),
-        mean({fine.surface.mesh, reference.shape_map.map}, options),
+        mean({fine.surface.mesh, reference.shape_map.map, fine.surface.curvatures}, options),
         prior(cohort_priors(fine.surface.mesh, mean.displacements, fine.training, options.cohort)
                   .of_newcomer()) {
     const std::vector<Vec2>& turns = mean.surface.map.turns.values();

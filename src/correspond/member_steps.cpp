@@ -50,7 +50,9 @@ PreparedTemplate::PreparedTemplate(TemplateSurface made, const RegisterGroupOpti
                         ? Eigen::MatrixXd()
                         : smooth_displacements(surface.mesh.positions(), options.displacements)) {
   if (options.features.weight_mm2 > 0)
-    features.emplace(surface, curvature_features(surface.mesh, options.features));
+    features.emplace(surface, surface.curvatures.values().empty()
+                                  ? curvature_features(surface.mesh, options.features)
+                                  : surface.curvatures);
 }
 
 OptimiseMapOptions MemberSteps::optimise_options() const {

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "correspond/feature_targets.hpp"
 #include "correspond/map_steps.hpp"
 #include "correspond/member_archive.hpp"
 #include "correspond/member_steps.hpp"
@@ -119,6 +120,7 @@ class GroupRegistrar {
       // are still in the coordinates of the old template.
       if (round >= least_rounds && result_.template_motion_mm.back() < options_.still_mm) break;
       take_transforms(next.transforms);
+      next.surface.curvatures = curvature_features(next.surface.mesh, options_.features);
       mean = std::make_unique<PreparedTemplate>(next.surface, options_);
       last = mean.get();
       group = {round + 1, std::move(next.surface), std::move(next.grid), {}};

@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "foramen/core/error.hpp"
-
 namespace foramen {
 namespace {
 
@@ -36,16 +34,6 @@ constexpr std::array<std::array<std::size_t, 3>, 4> quarters{{{0, 3, 5}, {3, 1, 
 
 }  // namespace
 
-std::vector<Vec3> with_edge_midpoints(const Mesh& mesh, std::span<const Vec3> points) {
-  FORAMEN_ASSERT(std::ssize(points) == mesh.vertex_count());
-  std::vector<Vec3> all(points.begin(), points.end());
-  for (EdgeId e : mesh.edges()) {
-    const HalfedgeId h = mesh.halfedge(e);
-    all.push_back((points[mesh.from(h).index] + points[mesh.to(h).index]) / 2);
-  }
-  return all;
-}
-
 TemplateSurface subdivided(const TemplateSurface& surface) {
   const Mesh& mesh = surface.mesh;
   TorusMap map{surface.map.lattice, VertexMap<Vec2>(mesh.vertex_count() + mesh.edge_count(), Vec2::Zero()),
@@ -73,7 +61,9 @@ TemplateSurface subdivided(const TemplateSurface& surface) {
   }
   Mesh fine = build_mesh(soup);
   map = quantised(fine, std::move(map));
-  return {std::move(fine), std::move(map)};
+  const std::vector<Vec2>& curvatures = surface.curvatures.values();
+  return {std::move(fine), std::move(map),
+          curvatures.empty() ? VertexMap<Vec2>() : VertexMap<Vec2>(with_edge_midpoints(mesh, curvatures))};
 }
 
 }  // namespace foramen

@@ -16,7 +16,7 @@ namespace foramen {
 
 template <class Archive>
 void transfer(Archive& archive, MaybeConst<TemplateSurface> auto& surface) {
-  archive(surface.mesh, surface.map);
+  archive(surface.mesh, surface.map, surface.curvatures);
 }
 
 template <class Archive>

@@ -1,9 +1,13 @@
 #include "correspond/template_surface.hpp"
 
+#include <utility>
+#include <vector>
+
 #include <Eigen/LU>
 
 #include "foramen/core/geometry.hpp"
 #include "parameterize/distortion.hpp"
+#include "sampling/lift_to_surface.hpp"
 
 namespace foramen {
 namespace {
@@ -35,12 +39,13 @@ VertexMap<Mat2> metric_tensors(const TemplateSurface& surface) {
   return tensors;
 }
 
-Mat2 interpolated(const Mesh& mesh, const VertexMap<Mat2>& tensors, const SurfacePoint& place) {
-  const auto corners = mesh.corners(place.face);
-  Mat2 sum = Mat2::Zero();
-  for (std::size_t k = 0; k < 3; ++k)
-    sum += place.barycentric[static_cast<Eigen::Index>(k)] * tensors[corners[k]];
-  return sum;
+VertexMap<Vec2> curvatures_at(const TemplateSurface& surface, std::span<const Vec2> turns) {
+  if (surface.curvatures.values().empty()) return {};
+  std::vector<Vec2> curvatures;
+  curvatures.reserve(turns.size());
+  for (const SurfacePoint& place : TorusLocator(surface.mesh, surface.map).locate(turns))
+    curvatures.push_back(interpolated(surface.mesh, surface.curvatures, place));
+  return VertexMap<Vec2>(std::move(curvatures));
 }
 
 }  // namespace foramen

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
-#include "foramen/stages/build_model.hpp"
 #include "io/hdf5_file.hpp"
 
 namespace foramen {
@@ -70,6 +69,10 @@ Atlas read_from(const H5Reader& file) {
   atlas.landmarks.turns = items_of<Vec2, double>(file, "/landmarks/turns", 2);
   atlas.landmarks.triangles = triangles_of(file, "/landmarks/triangles");
   atlas.landmarks.jumps = HalfedgeMap<Vec2i>(items_of<Vec2i, std::int32_t>(file, "/landmarks/jumps", 2));
+  if (const std::string path = "/landmarks/curvatures"; file.has(path)) {
+    atlas.curvatures = items_of<Vec2, double>(file, path, 2);
+    require_count(file, path, atlas.curvatures.size(), atlas.landmarks.turns.size());
+  }
   atlas.names = file.children("/shapes");
   for (const std::string& name : atlas.names) {
     const Eigen::MatrixXd transform = eigen_matrix(file.matrix<double>("/shapes/" + name + "/transform"));
@@ -80,20 +83,6 @@ Atlas read_from(const H5Reader& file) {
 }
 
 }  // namespace
-
-Atlas atlas_of(const BuiltModel& built) {
-  Atlas atlas;
-  const Reference& reference = built.registration.frame.reference;
-  atlas.surface = reference.mesh();
-  atlas.map = reference.shape_map.map;
-  for (std::size_t k = 0; k < 2; ++k)
-    for (HalfedgeId h : reference.loops.loops.loops[k]) atlas.loops[k].push_back(atlas.surface.from(h));
-  atlas.landmarks = built.landmarks.mesh;
-  atlas.names = built.landmarks.names;
-  for (const SimilarityTransform& transform : built.aligned.alignment.transforms)
-    atlas.transforms.push_back(transform.matrix());
-  return atlas;
-}
 
 void write_atlas(const std::filesystem::path& path, const Atlas& atlas) {
   write_h5(path, [&](H5Writer& file) {
@@ -111,6 +100,8 @@ void write_atlas(const std::filesystem::path& path, const Atlas& atlas) {
     file.matrix<double>("/landmarks/turns", rows_of<double>(atlas.landmarks.turns, 2));
     file.matrix<std::int32_t>("/landmarks/triangles", rows_of<std::int32_t>(atlas.landmarks.triangles, 3));
     file.matrix<std::int32_t>("/landmarks/jumps", rows_of<std::int32_t>(atlas.landmarks.jumps.values(), 2));
+    if (!atlas.curvatures.empty())
+      file.matrix<double>("/landmarks/curvatures", rows_of<double>(atlas.curvatures, 2));
     for (std::size_t i = 0; i < atlas.names.size(); ++i)
       file.matrix<double>("/shapes/" + atlas.names[i] + "/transform", h5_matrix(atlas.transforms[i]));
   });

@@ -2,31 +2,11 @@
 /// \file
 /// The template, the torus map and the transforms of a model, as a file.
 
-#include <array>
 #include <filesystem>
-#include <string>
-#include <vector>
 
-#include "foramen/parameterize/torus_map.hpp"
-#include "foramen/sampling/landmark_mesh.hpp"
-#include "sampling/remesh.hpp"
+#include "modelfiles/atlas.hpp"
 
 namespace foramen {
-
-struct BuiltModel;
-
-/// The template (the input mesh of the reference) with its torus map and loops, the torus positions of the
-/// landmarks, and the transform of each shape into model coordinates.
-struct Atlas {
-  Mesh surface;                                ///< the template, in its input's coordinates, mm
-  TorusMap map;                                ///< the template's map
-  std::array<std::vector<VertexId>, 2> loops;  ///< vertices along each loop; periods (1,0) and (0,1)
-  LandmarkMesh landmarks;
-  std::vector<std::string> names;           ///< stems of the shapes
-  std::vector<Eigen::Matrix4d> transforms;  ///< one per shape: input coordinates in mm -> model coordinates
-};
-
-Atlas atlas_of(const BuiltModel& built);
 
 /// Writes an HDF5 file with these paths. P is the number of landmarks, T of landmark triangles, V and F of
 /// the template's vertices and faces:
@@ -41,6 +21,7 @@ Atlas atlas_of(const BuiltModel& built);
 ///     /landmarks/turns (P,2)
 ///     /landmarks/triangles (T,3)
 ///     /landmarks/jumps (3T,2)
+///     /landmarks/curvatures (P,2)     absent if there are none
 ///     /shapes/STEM/transform (4,4)
 void write_atlas(const std::filesystem::path& path, const Atlas& atlas);
 

@@ -10,6 +10,7 @@
 #include "foramen/io/statismo_file.hpp"
 #include "io/atomic_file.hpp"
 #include "io/table_file.hpp"
+#include "modelfiles/atlas.hpp"
 #include "modelfiles/atlas_file.hpp"
 #include "modelfiles/statismo_model.hpp"
 

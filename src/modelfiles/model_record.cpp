@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
+#include "modelfiles/atlas_file.hpp"
 #include "modelfiles/error_maps_file.hpp"
 #include "modelfiles/metrics_file.hpp"
 

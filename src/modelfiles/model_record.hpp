@@ -7,7 +7,7 @@
 
 #include "foramen/evaluate/evaluate.hpp"
 #include "foramen/evaluate/representation.hpp"
-#include "modelfiles/atlas_file.hpp"
+#include "modelfiles/atlas.hpp"
 #include "modelfiles/model_folder.hpp"
 #include "modelfiles/run_file.hpp"
 

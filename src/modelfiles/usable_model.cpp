@@ -5,6 +5,7 @@
 
 #include "foramen/core/error.hpp"
 #include "foramen/correspond/registration_frame.hpp"
+#include "modelfiles/atlas_file.hpp"
 
 namespace foramen {
 namespace {
@@ -44,6 +45,7 @@ UsableModel usable_model(LoadedModel loaded, const std::filesystem::path& folder
   usable.space = loaded.space;
   usable.names = std::move(atlas.names);
   usable.landmarks = std::move(atlas.landmarks);
+  usable.curvatures = std::move(atlas.curvatures);
   usable.lattice = atlas.map.lattice;
   usable.aligned.alignment.mean = unflattened(loaded.model.mean());
   for (Eigen::Index i = 0; i < loaded.scores.cols(); ++i)
@@ -55,7 +57,8 @@ UsableModel usable_model(LoadedModel loaded, const std::filesystem::path& folder
 
 MeanRegistrar registrar_of(const UsableModel& model, const RunContext& ctx) {
   const TemplateSurface mean{build_mesh({model.aligned.alignment.mean, model.landmarks.triangles}),
-                             {model.lattice, VertexMap<Vec2>(model.landmarks.turns), model.landmarks.jumps}};
+                             {model.lattice, VertexMap<Vec2>(model.landmarks.turns), model.landmarks.jumps},
+                             VertexMap<Vec2>(model.curvatures)};
   return {mean, model.aligned.alignment.aligned, ctx};
 }
 

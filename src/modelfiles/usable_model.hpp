@@ -9,7 +9,6 @@
 #include "foramen/correspond/mean_registrar.hpp"
 #include "foramen/evaluate/generalization.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
-#include "modelfiles/atlas_file.hpp"
 #include "modelfiles/model_folder.hpp"
 
 namespace foramen {
@@ -20,6 +19,7 @@ struct UsableModel {
   ScaleMode scale = ScaleMode::keep;
   AnatomicalSpace space = AnatomicalSpace::lps;
   LandmarkMesh landmarks;
+  std::vector<Vec2> curvatures;  ///< see Atlas
   Lattice lattice = Lattice::Identity();
 };
 

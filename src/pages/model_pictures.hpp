@@ -11,7 +11,7 @@
 #include "evaluate/error_map.hpp"
 #include "foramen/evaluate/representation.hpp"
 #include "foramen/model/shape_model.hpp"
-#include "modelfiles/atlas_file.hpp"
+#include "modelfiles/atlas.hpp"
 #include "report/report_page.hpp"
 
 namespace foramen {

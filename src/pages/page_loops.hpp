@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "foramen/core/mesh.hpp"
-#include "modelfiles/atlas_file.hpp"
+#include "modelfiles/atlas.hpp"
 
 namespace foramen {
 

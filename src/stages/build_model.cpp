@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/freed_memory.hpp"
+#include "correspond/template_surface.hpp"
 #include "foramen/correspond/registration_frame.hpp"
 #include "foramen/sampling/landmark_mesh.hpp"
 
@@ -47,7 +48,8 @@ TemplateSurface mean_surface(const BuiltModel& built) {
   const LandmarkMesh& landmarks = built.landmarks.mesh;
   return {build_mesh({unflattened(built.aligned.model.mean()), landmarks.triangles}),
           {built.registration.frame.reference.shape_map.map.lattice, VertexMap<Vec2>(landmarks.turns),
-           landmarks.jumps}};
+           landmarks.jumps},
+          curvatures_at(built.registration.frame.group.surface, landmarks.turns)};
 }
 
 }  // namespace foramen

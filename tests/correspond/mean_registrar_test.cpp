@@ -1,11 +1,13 @@
 #include "foramen/correspond/mean_registrar.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "correspond/feature_targets.hpp"
 #include "correspond/knobbly_family.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
@@ -78,6 +80,18 @@ TEST(MeanRegistrar, TheBasisOfTheMeansMapDoesNotMatter) {
   EXPECT_LT(rms_distance(registrar_to(mean).landmarks_on(member, RunContext(1)),
                          registrar_to(sheared).landmarks_on(member, RunContext(1))),
             1e-8);
+}
+
+// The curvatures of another shape's places draw the map away from the true landmarks.
+TEST(MeanRegistrar, TakesTheCurvaturesThatItIsGiven) {
+  TemplateSurface mean = mean_member();
+  const Mesh member = testing::new_member(0.9);
+  const std::vector<Vec3> by_mesh = registrar_to(mean).landmarks_on(member, RunContext(1));
+  mean.curvatures = curvature_features(mean.mesh, quick_registration().features);
+  EXPECT_EQ(registrar_to(mean).landmarks_on(member, RunContext(1)), by_mesh);
+  std::rotate(mean.curvatures.values().begin(), mean.curvatures.values().begin() + 100,
+              mean.curvatures.values().end());
+  EXPECT_GT(rms_distance(registrar_to(mean).landmarks_on(member, RunContext(1)), by_mesh), 0.05);
 }
 
 TEST(MeanRegistrar, ThreadsAndMovesChangeNothing) {

@@ -44,6 +44,19 @@ TEST(Subdivided, IsTheSameMap) {
   for (std::size_t k = 0; k < places.size(); ++k) EXPECT_LT((on_coarse[k] - on_fine[k]).norm(), 1e-6);
 }
 
+TEST(Subdivided, TakesItsCurvaturesFromTheCoarseVertices) {
+  TemplateSurface coarse = coarse_torus();
+  EXPECT_TRUE(subdivided(coarse).curvatures.values().empty());
+  coarse.curvatures = VertexMap<Vec2>(coarse.mesh.vertex_count(), Vec2(1, 2));
+  const EdgeId edge = *coarse.mesh.edges().begin();
+  const VertexId from = coarse.mesh.from(coarse.mesh.halfedge(edge));
+  coarse.curvatures[from] = Vec2(3, -2);
+  const TemplateSurface fine = subdivided(coarse);
+  ASSERT_EQ(std::ssize(fine.curvatures.values()), fine.mesh.vertex_count());
+  EXPECT_EQ(fine.curvatures[from], Vec2(3, -2));
+  EXPECT_EQ(fine.curvatures[VertexId(coarse.mesh.vertex_count() + edge.index)], Vec2(2, 0));
+}
+
 TEST(WithEdgeMidpoints, AreThePositionsOfTheSubdividedMesh) {
   const TemplateSurface coarse = coarse_torus(), fine = subdivided(coarse);
   const std::vector<Vec3> points = with_edge_midpoints(coarse.mesh, coarse.mesh.positions());

@@ -31,13 +31,15 @@ MeanTemplate some_mean() {
 }
 
 TEST(TemplateArchive, AMeanComesBack) {
-  const MeanTemplate mean = some_mean();
+  MeanTemplate mean = some_mean();
+  mean.surface.curvatures = VertexMap<Vec2>(mean.surface.mesh.vertex_count(), Vec2(0.5, -0.25));
   const MeanTemplate again = there_and_back(mean);
   EXPECT_EQ(again.surface.mesh.soup().points, mean.surface.mesh.soup().points);
   EXPECT_EQ(again.surface.mesh.triangles(), mean.surface.mesh.triangles());
   EXPECT_EQ(again.surface.map.lattice, mean.surface.map.lattice);
   EXPECT_EQ(again.surface.map.turns, mean.surface.map.turns);
   EXPECT_EQ(again.surface.map.jumps, mean.surface.map.jumps);
+  EXPECT_EQ(again.surface.curvatures, mean.surface.curvatures);
   EXPECT_EQ(again.grid, mean.grid);
   ASSERT_EQ(again.transforms.size(), mean.transforms.size());
   for (std::size_t i = 0; i < mean.transforms.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "correspond/template_surface.hpp"
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "foramen/core/geometry.hpp"
@@ -60,6 +62,19 @@ TEST(Interpolated, IsTheCornersOwnAndTheirMeanBetween) {
     EXPECT_LT((interpolated(torus.mesh, tensors, {f, Vec3::Constant(1.0 / 3)}) - middle).norm(),
               1e-12 * middle.norm());
   }
+}
+
+TEST(CurvaturesAt, AreInterpolatedBetweenTheVertices) {
+  TemplateSurface surface = flat_template(30, 12);
+  EXPECT_TRUE(curvatures_at(surface, std::vector<Vec2>{{0.1, 0.2}}).values().empty());
+  surface.curvatures = VertexMap<Vec2>(surface.mesh.vertex_count(), Vec2::Zero());
+  surface.curvatures[VertexId(9)] = Vec2(0.5, -1);
+  const Vec2 place = surface.map.turns[VertexId(9)], next = surface.map.turns[VertexId(10)];
+  const std::vector<Vec2> places{place, (3 * place + next) / 4, place + Vec2(0.5, 0)};
+  const std::vector<Vec2> found = curvatures_at(surface, places).values();
+  EXPECT_LT((found[0] - Vec2(0.5, -1)).norm(), 1e-9);
+  EXPECT_LT((found[1] - 0.75 * Vec2(0.5, -1)).norm(), 1e-9);
+  EXPECT_EQ(found[2], Vec2::Zero());
 }
 
 }  // namespace

@@ -26,6 +26,7 @@ Atlas torus_atlas() {
   atlas.landmarks.turns = {Vec2(0.1, 0.2), Vec2(0.3, 0.4), Vec2(0.5, 0.6)};
   atlas.landmarks.triangles = {{0, 1, 2}};
   atlas.landmarks.jumps = HalfedgeMap<Vec2i>(3, Vec2i::Zero());
+  atlas.curvatures = {Vec2(0.5, -0.25), Vec2(0, 0), Vec2(0.125, 1)};
   atlas.names = {"a"};
   atlas.transforms = {Eigen::Matrix4d::Identity()};
   return atlas;
@@ -59,6 +60,13 @@ TEST_F(AtlasFile, ComesBackAsItWas) {
   EXPECT_EQ(read.loops, atlas.loops);
   EXPECT_EQ(read.landmarks.triangles, atlas.landmarks.triangles);
   EXPECT_EQ(read.names, atlas.names);
+  EXPECT_EQ(read.curvatures, atlas.curvatures);
+}
+
+TEST_F(AtlasFile, NeedNotHaveCurvatures) {
+  Atlas atlas = torus_atlas();
+  atlas.curvatures.clear();
+  EXPECT_TRUE(written_and_read(atlas).curvatures.empty());
 }
 
 TEST_F(AtlasFile, OneThingBrokenIsNamed) {
@@ -74,6 +82,9 @@ TEST_F(AtlasFile, OneThingBrokenIsNamed) {
   Atlas short_of_turns = torus_atlas();
   short_of_turns.map.turns.values().pop_back();
   expect_refused(short_of_turns, "/template/turns");
+  Atlas short_of_curvatures = torus_atlas();
+  short_of_curvatures.curvatures.pop_back();
+  expect_refused(short_of_curvatures, "/landmarks/curvatures");
 }
 
 }  // namespace
