@@ -191,7 +191,7 @@ void describe(Visitor& visit, MaybeConst<SurfaceTargetsOptions> auto& o) {
 }
 
 struct FeatureTargetsOptions {
-  double weight_mm2 = 0;
+  double weight_mm2 = 24;
   double robust_difference = 0.5;
   double radius_mm = 2.5;
 };
@@ -227,7 +227,7 @@ struct RegisterGroupOptions {
   EdgeCost edge_cost = EdgeCost::length_weighted;
   double lambda = 0.5;
   int working_vertices = 10000;
-  double relative_tolerance = 1e-4;
+  double relative_tolerance = 1e-6;
   int iteration_limit = 200;
   TemplateOptions mean = {};
   DistortionMeasure distortion = DistortionMeasure::on_template;
@@ -235,7 +235,8 @@ struct RegisterGroupOptions {
   SmoothDisplacementOptions displacements = {};
   CohortPriorOptions cohort = {};
   DeformTemplateOptions first = {};
-  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2};
+  /// The normals of matches count for less than in the first bending, because the surfaces are close.
+  DeformTemplateOptions again = {.noise_mm = {1, 0.5, 0.25}, .iterations = 2, .match = {.normal_weight = 4}};
   SurfaceTargetsOptions targets = {};
   FeatureTargetsOptions features = {};
   int metric_updates = 2;

@@ -61,7 +61,7 @@ struct MatchOptions {
   double normal_weight = 8.0;
   /// Small, because a closest point says little about the position of a vertex along the surface.
   double tangential_share = 0.05;
-  double curved_share = 0;
+  double curved_share = 0.4;
   double independent_area_mm2 = 20;
   double rejection = 4;
   double least_median_mm = 0.5;
