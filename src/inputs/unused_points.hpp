@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Points of a surface's file that belong to no triangle, as programs leave them behind when they cut a surface.
+/// Points that belong to no triangle, as programs leave them behind when they cut a surface.
 
 #include <optional>
 
@@ -9,8 +9,8 @@
 
 namespace foramen {
 
-/// Removes the points that belong to no triangle, since they do not matter to the surface, and returns a note on
-/// it. A surface with a triangle whose corner does not exist stays as it is.
+/// Removes the points that belong to no triangle, since they do not matter to the surface, and returns a note
+/// on it. A surface with a triangle whose corner does not exist stays as it is.
 std::optional<Message> drop_unused_points(TriangleSoup& surface);
 
 }  // namespace foramen

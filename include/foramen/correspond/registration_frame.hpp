@@ -39,7 +39,7 @@ struct TemplateSurface {
   Mesh mesh;     ///< mm
   TorusMap map;  ///< map of this mesh, without flipped triangles
   /// Per vertex: (tanh(k1 / k0), tanh(k2 / k0)) with the principal curvatures and k0 = 0.3 / mm, which the
-  /// shapes' curvatures shall agree with. Empty: those of this mesh. A coarse mesh takes them from a fine one.
+  /// shapes' curvatures shall agree with. Empty: those of this mesh. A coarse mesh has those of a fine one.
   VertexMap<Vec2> curvatures = {};
 };
 
