@@ -48,7 +48,7 @@ void add_evaluate(CLI::App& program, Run& run) {
                       ".fcsv of Slicer, .json of Scalismo, or .csv");
   command->add_option("--regions", request.regions,
                       "regions that people marked, files or folders: a label for each vertex of the surfaces "
-                      "in .txt, .ply, .vtk or .vtp");
+                      "in .txt, .ply, .vtk or .vtp, or a label map");
   command->add_option("-o,--output", request.output, "folder for metrics.json and metrics.csv");
   add_unit_option(*command, request.unit);
   add_described(*command, "--samples", request.options, "draws");

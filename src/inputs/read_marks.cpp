@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "foramen/core/error.hpp"
+#include "foramen/io/label_map.hpp"
 #include "inputs/search_folder.hpp"
 #include "inputs/shape_of_file.hpp"
+#include "inputs/voxel_regions.hpp"
 #include "io/mark_file.hpp"
 #include "io/vertex_labels.hpp"
 
@@ -60,6 +62,8 @@ class OtherShapes {
   std::set<std::string> seen_;
   std::vector<std::string> names_;
 };
+
+bool is_region_file(const fs::path& path) { return is_label_list(path) || is_label_map(path); }
 
 // From LPS to RAS and back.
 Vec3 turned(const Vec3& p) { return {-p.x(), -p.y(), p.z()}; }
@@ -116,9 +120,9 @@ ReadRegions read_regions(const std::vector<fs::path>& inputs, const MarkedShapes
   OtherShapes others;
   std::vector<fs::path> of_shape(shapes.names.size());
   bool any = false;
-  for (const fs::path& path :
-       files_of(inputs, is_label_list, "labels (looked for .txt, .ply, .vtk and .vtp)", skipped)) {
-    const std::string stem = path.stem().string();
+  for (const fs::path& path : files_of(
+           inputs, is_region_file, "labels (looked for .txt, .ply, .vtk, .vtp and label maps)", skipped)) {
+    const std::string stem = is_label_map(path) ? label_map_stem(path) : path.stem().string();
     const auto of = shape_of_file(path, stem, shapes.names);
     if (!of) {
       others.add(stem);
@@ -129,7 +133,10 @@ ReadRegions read_regions(const std::vector<fs::path>& inputs, const MarkedShapes
       throw InvalidInput(of_shape[of->shape].string() + " and " + path.string() + " are both labels of " +
                          shapes.names[of->shape] + ": leave one out");
     of_shape[of->shape] = path;
-    result.regions[of->shape] = regions_of_labels(read_vertex_labels(path));
+    result.regions[of->shape] =
+        is_label_map(path)
+            ? voxel_regions(read_label_layers(path), shapes.surfaces[of->shape], shapes.spaces[of->shape])
+            : regions_of_labels(read_vertex_labels(path));
   }
   result.notes = skipped.messages();
   others.note_or_refuse(any, "labels", shapes.names, result.notes);

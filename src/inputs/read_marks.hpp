@@ -17,6 +17,7 @@ namespace foramen {
 struct MarkedShapes {
   std::vector<std::string> names;
   std::vector<AnatomicalSpace> spaces;  ///< axes of the coordinates of each shape's surface
+  std::vector<Mesh> surfaces = {};      ///< mm; regions that are given as voxels need them
 };
 
 struct ReadMarks {
@@ -38,8 +39,8 @@ struct ReadRegions {
   std::vector<Message> notes;
 };
 
-/// Reads files with a label a vertex, see read_vertex_labels(). The label is the region's name; 0 and less is
-/// no region. Files are found and belong to shapes as those of marks.
+/// Reads files with a label a vertex, see read_vertex_labels(), and label maps, see voxel_regions(). The label
+/// is the region's name; 0 and less is no region. Files are found and belong to shapes as those of marks.
 ReadRegions read_regions(const std::vector<std::filesystem::path>& inputs, const MarkedShapes& shapes);
 
 }  // namespace foramen

@@ -148,7 +148,7 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
   CorrespondingCohort cohort{folder.names, {}, folder.triangles, folder.shapes, {}};
   cohort.subjects = subjects_of(request, folder);
   std::vector<Message> notes = folder.notes;
-  MarkedShapes marked{folder.names, folder.spaces};
+  MarkedShapes marked{folder.names, folder.spaces, {}};
   if (!request.shapes.empty()) {
     Surfaces surfaces = original_surfaces(request.shapes, folder.names, request.unit, notes);
     cohort.inputs = std::move(surfaces.meshes);
@@ -156,6 +156,7 @@ EvaluatedFolder evaluate_folder(const EvaluateFolderRequest& request, const RunC
   } else {
     for (const auto& points : folder.shapes) cohort.inputs.push_back(build_mesh({points, folder.triangles}));
   }
+  marked.surfaces = cohort.inputs;
   std::optional<TrueCorrespondence> truth;
   if (!request.truth.empty()) truth = read_truth(request.truth, folder.names, request.unit);
   if (!request.true_landmarks.empty()) {

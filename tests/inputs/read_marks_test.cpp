@@ -5,6 +5,8 @@
 
 #include "foramen/core/error.hpp"
 #include "inputs/shape_of_file.hpp"
+#include "support/label_maps.hpp"
+#include "support/meshes.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -77,6 +79,20 @@ TEST(ReadMarks, WhatCannotBeMatchedIsRefused) {
   EXPECT_THAT(refused(folder.file("T3.csv", "landmark,x,y,z\ntip,1,2,3\n")),
               testing::says("of no shape here (found T3; the shapes are p1_T1, p1_T10)"));
   EXPECT_THAT(refused(folder.file("p1_T1.mrk.json", curve(""))), testing::says("a curve has no name"));
+}
+
+TEST(ReadRegions, ALabelMapIsLaidOverTheSurface) {
+  const TemporaryFolder folder;
+  const LabelMap map = testing::labelled_lattice({80, 80, 80}, Mat3::Identity(),
+                                                 [](const Vec3& p) { return p.x() < 0 ? 3 : 8; });
+  folder.file("p1_T10.seg.nrrd",
+              testing::nrrd_header(map) + "encoding: raw\n\n" + testing::voxel_bytes<std::uint16_t>(map));
+  MarkedShapes shapes = two_shapes();
+  shapes.surfaces.assign(2, build_mesh(testing::torus_soup(24, 12)));
+  const ReadRegions read = read_regions({folder.path()}, shapes);
+  EXPECT_TRUE(read.regions[0].names.empty());
+  EXPECT_THAT(read.regions[1].names, ::testing::UnorderedElementsAre("3", "8"));
+  EXPECT_EQ(read.regions[1].of_vertex.size(), 24u * 12u);
 }
 
 TEST(ReadRegions, LabelsAreNamesAndZeroIsNone) {
