@@ -7,6 +7,7 @@
 
 #include "cli/bad_input/bad_shapes.hpp"
 #include "foramen/evaluate/evaluate.hpp"
+#include "foramen/evaluate/mark_transfer.hpp"
 #include "foramen/io/mesh_file.hpp"
 #include "foramen/io/statismo_file.hpp"
 #include "io/atomic_file.hpp"
@@ -118,7 +119,13 @@ void write_models(const fs::path& folder) {
   EvaluationOptions options;
   options.draws = 2;
   options.samples = options.specificity_samples = 20;
-  write_file(folder / "metrics.json", metrics_json(evaluate(cohort, options, RunContext(1))));
+  Evaluation evaluation = evaluate(cohort, options, RunContext(1));
+  std::vector<MarksOfShape> marks;
+  for (const std::vector<Vec3>& points : cohort.corresponding)
+    marks.push_back({{"tip", MarkKind::point, {points[0]}},
+                     {"rim", MarkKind::closed_curve, {points[1], points[2], points[9]}}});
+  evaluation.marks = mark_transfer(cohort, marks, RunContext(1));
+  write_file(folder / "metrics.json", metrics_json(evaluation));
 }
 
 void write_exchange_files(const fs::path& folder) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/parallel.hpp"
+#include "evaluate/placed_curves.hpp"
 #include "evaluate/polyline.hpp"
 #include "evaluate/subject_pairs.hpp"
 #include "foramen/core/error.hpp"
@@ -21,7 +22,7 @@ using detail::PairSubjects;
 using detail::PairValue;
 using detail::Polyline;
 
-constexpr int carried_points = 60, compared_points = 120;
+constexpr int carried_points = 60, compared_points = 120, placed_points = 20;
 constexpr std::array open_parts{MarkPart::start, MarkPart::middle, MarkPart::end};
 
 /// A mark as it is carried and compared.
@@ -30,6 +31,7 @@ struct PreparedMark {
   std::vector<Vec3> points;          // one per part, see parts_of()
   std::vector<SurfacePoint> places;  // of the points on the corresponding mesh; none for a centroid
   std::vector<SurfacePoint> curve;   // the carried points of a curve
+  std::vector<SurfacePoint> shown;   // see PlacedMark::places
   std::optional<Polyline> marked;    // the curve itself
 };
 using PreparedMarks = std::map<std::string, PreparedMark>;
@@ -92,10 +94,12 @@ class MarkPlacer {
     if (mark.kind == MarkKind::point) {
       result.points = mark.points;
       for (const Vec3& p : mark.points) result.places.push_back(place(p));
+      result.shown = result.places;
       return result;
     }
     const Polyline& curve = result.marked.emplace(mark.points, mark.kind == MarkKind::closed_curve);
     for (const Vec3& p : curve.resampled(carried_points)) result.curve.push_back(place(p));
+    for (const Vec3& p : curve.resampled(placed_points)) result.shown.push_back(tree_.closest(p).on);
     if (mark.kind == MarkKind::closed_curve) {
       result.points = {curve.centroid()};
       return result;
@@ -157,6 +161,23 @@ MarkErrors errors_of(const PreparedMark& from, const PreparedMark& to, const Mes
         (here.points.front() - to.points.back()).norm() + (here.points.back() - to.points.front()).norm() <
         errors.points.front() + errors.points.back();
   return errors;
+}
+
+/// One mark on all shapes that have it; its curves run as that of the first of them.
+std::vector<PlacedMark> placed_on_all(const std::string& name, MarkKind kind,
+                                      const std::vector<PreparedMarks>& prepared,
+                                      const std::vector<Mesh>& meshes) {
+  std::vector<PlacedMark> placed;
+  for (std::size_t s = 0; s < prepared.size(); ++s) {
+    const auto found = prepared[s].find(name);
+    if (found == prepared[s].end()) continue;
+    std::vector<SurfacePoint> places = found->second.shown;
+    if (kind != MarkKind::point && !placed.empty())
+      places = detail::run_alike(places, placed[0].places, kind == MarkKind::closed_curve,
+                                 meshes[placed[0].shape]);
+    placed.push_back({name, kind, static_cast<int>(s), std::move(places)});
+  }
+  return placed;
 }
 
 /// Collects the errors of all pairs.
@@ -271,6 +292,9 @@ MarkTransfer mark_transfer(const CorrespondingCohort& cohort, const std::vector<
         "no two shapes of different subjects have a mark in common: give marks of the same names on at least "
         "two shapes, and check their subjects");
   transfer.off_surface_mm = std::move(off_surface);
+  for (const auto& [name, kind] : names)
+    for (PlacedMark& mark : placed_on_all(name, kind, prepared, meshes))
+      transfer.placed.push_back(std::move(mark));
   for (const MarksOfShape& of_shape : marks) {
     if (of_shape.empty()) continue;
     ++transfer.marked_shapes;

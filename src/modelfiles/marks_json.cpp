@@ -1,7 +1,12 @@
 #include "modelfiles/marks_json.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -72,6 +77,76 @@ MarkPart part_from(const ordered_json& json) {
   return *part;
 }
 
+// Barycentric weights are written as whole numbers of this unit; the third is what the two others leave.
+constexpr int weight_units = 10000;
+
+ordered_json placed_json(const std::vector<PlacedMark>& placed, const Names& names) {
+  ordered_json out = ordered_json::array();
+  for (const PlacedMark& mark : placed) {
+    ordered_json triangles = ordered_json::array(), weights = triangles;
+    for (const SurfacePoint& place : mark.places) {
+      triangles.push_back(place.face.index);
+      int left = weight_units;
+      for (int k = 0; k < 2; ++k) {
+        const int weight =
+            std::clamp(static_cast<int>(std::lround(weight_units * place.barycentric[k])), 0, left);
+        weights.push_back(weight);
+        left -= weight;
+      }
+    }
+    out.push_back({{"mark", mark.mark},
+                   {"kind", word_of(mark.kind)},
+                   {"shape", names[mark.shape]},
+                   {"triangles", triangles},
+                   {"weights", weights}});
+  }
+  return out;
+}
+
+// Throws IoError if it is no whole number from 0 to `most`.
+int whole_number(const ordered_json& json, int most) {
+  const bool whole = json.is_number_integer() && json.get<std::int64_t>() >= 0 &&
+                     json.get<std::int64_t>() <= most;  // those above the range of int64 become negative
+  if (!whole)
+    throw IoError("metrics.json: a place of a mark has the number " + json.dump() +
+                  ", which is not whole and from 0 to " + std::to_string(most));
+  return json.get<int>();
+}
+
+std::vector<SurfacePoint> places_from(const ordered_json& triangles, const ordered_json& weights) {
+  if (!triangles.is_array() || !weights.is_array() || weights.size() != 2 * triangles.size())
+    throw IoError("metrics.json: a mark's places need two weights for each triangle");
+  std::vector<SurfacePoint> places;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const int first = whole_number(weights[2 * i], weight_units);
+    const int second = whole_number(weights[2 * i + 1], weight_units - first);
+    places.push_back(
+        {FaceId(whole_number(triangles[i], std::numeric_limits<int>::max())),
+         Vec3(first, second, weight_units - first - second) / static_cast<double>(weight_units)});
+  }
+  return places;
+}
+
+// The marks of one name have one kind and the same number of places: one of a point, more of a curve.
+std::vector<PlacedMark> placed_from(const ordered_json& j, const Names& names) {
+  std::vector<PlacedMark> placed;
+  std::map<std::string, std::pair<MarkKind, std::size_t>> first;  // of each name: kind and places
+  for (const ordered_json& p : j) {
+    const auto kind = value_of<MarkKind>(p.at("kind").get<std::string>());
+    if (!kind) throw IoError("metrics.json: " + p.at("kind").dump() + " is no kind of mark");
+    PlacedMark mark{p.at("mark"), *kind, shape_index(p.at("shape"), names),
+                    places_from(p.at("triangles"), p.at("weights"))};
+    const std::size_t count = mark.places.size();
+    const bool fits = *kind == MarkKind::point ? count == 1 : count >= 2;
+    if (!fits || first.try_emplace(mark.mark, *kind, count).first->second != std::pair(*kind, count))
+      throw IoError("metrics.json: the mark " + p.at("mark").dump() + " of " + p.at("shape").dump() +
+                    " has " + std::to_string(count) +
+                    " places, which do not fit its kind or its other shapes");
+    placed.push_back(std::move(mark));
+  }
+  return placed;
+}
+
 }  // namespace
 
 ordered_json marks_json(const MarkTransfer& marks, const Names& names) {
@@ -103,7 +178,12 @@ ordered_json marks_json(const MarkTransfer& marks, const Names& names) {
       {"by_curve", curves},
       {"off_surface_mm", marks.off_surface_mm},
       {"reversed", reversed},
-      {"pairs", pairs}};
+      {"pairs", pairs},
+      {"placed_definition",
+       "the closest points of the shape's corresponding mesh to a point and to 20 evenly spaced ones of a "
+       "curve: triangles of the landmarks, and the weights of the first two corners of each in units of "
+       "1/10000, of which the three corners have 10000 together"},
+      {"placed", placed_json(marks.placed, names)}};
 }
 
 MarkTransfer marks_from(const ordered_json& j, const Names& names) {
@@ -121,6 +201,7 @@ MarkTransfer marks_from(const ordered_json& j, const Names& names) {
   marks.off_surface_mm = j.at("off_surface_mm").get<std::vector<double>>();
   for (const ordered_json& r : j.at("reversed"))
     marks.reversed.push_back({shape_index(r.at("shape"), names), r.at("mark")});
+  if (j.contains("placed")) marks.placed = placed_from(j.at("placed"), names);
   return marks;
 }
 

@@ -16,7 +16,9 @@ namespace foramen {
 nlohmann::ordered_json marks_json(const MarkTransfer& marks, const std::vector<std::string>& names);
 nlohmann::ordered_json regions_json(const RegionTransfer& regions, const std::vector<std::string>& names);
 
-/// What marks_json() and regions_json() wrote. Throws nlohmann::json::exception for anything else.
+/// What marks_json() and regions_json() wrote. Marks without places, as older versions wrote them, are read
+/// too. Whether places are on triangles of a model is not known here. Throws nlohmann::json::exception or
+/// IoError for anything else.
 MarkTransfer marks_from(const nlohmann::ordered_json& json, const std::vector<std::string>& names);
 RegionTransfer regions_from(const nlohmann::ordered_json& json, const std::vector<std::string>& names);
 

@@ -28,6 +28,18 @@ void require_one_model(const fs::path& folder, const ModelRecord& record) {
                   ": its files are not of one model (shapes or landmarks differ); build it again");
 }
 
+void require_marks_on_model(const fs::path& folder, const ModelRecord& record) {
+  if (!record.evaluation.marks) return;
+  const auto triangles = std::ssize(record.loaded.model.triangles());
+  for (const PlacedMark& mark : record.evaluation.marks->placed)
+    for (const SurfacePoint& place : mark.places)
+      if (place.face.index >= triangles)
+        throw IoError((folder / "metrics.json").string() + ": the mark '" + mark.mark + "' is on triangle " +
+                          std::to_string(place.face.index) + ", but the model has " +
+                          std::to_string(triangles) + "; an evaluation of the model writes it anew",
+                      {{RemedyKind::evaluate_model}});
+}
+
 }  // namespace
 
 ModelRecord read_model_record(const fs::path& folder) {
@@ -37,6 +49,7 @@ ModelRecord read_model_record(const fs::path& folder) {
                      .loaded = load_model(folder),
                      .error_maps = {}};
   require_one_model(folder, record);
+  require_marks_on_model(folder, record);
   record.error_maps =
       read_error_maps(folder / "error_maps.h5", record.evaluation.names, record.loaded.model.landmarks(),
                       static_cast<int>(record.loaded.model.triangles().size()));

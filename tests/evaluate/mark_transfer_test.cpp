@@ -178,6 +178,56 @@ TEST(MarkTransfer, AMarkIsComparedWhereBothShapesHaveIt) {
   EXPECT_NEAR(t.points->error.mean, 0.25 / 6, 1e-12);  // each pair counts once, however many marks it has
 }
 
+TEST(MarkTransfer, MarksAreOnTheSurfaceBelowWherePeoplePutThem) {
+  Copies copies(3);
+  for (int s = 0; s < 3; ++s) {
+    copies.add(s, raised_point(copies, "tip", 0.2 * s));
+    if (s > 0) copies.add(s, ring(copies, MarkKind::open_curve, 5, 0));
+  }
+  const MarkTransfer t = copies.transfer();
+  ASSERT_EQ(t.placed.size(), 5u);
+  for (int s = 0; s < 3; ++s) {
+    EXPECT_EQ(t.placed[s].mark, "tip");
+    EXPECT_EQ(t.placed[s].shape, s);
+    ASSERT_EQ(t.placed[s].places.size(), 1u);
+    EXPECT_LT((position(copies.mesh, t.placed[s].places[0]) - vertex(copies, 3, 0)).norm(), 1e-12);
+  }
+  const PlacedMark& curve = t.placed[4];
+  EXPECT_EQ(curve.mark, "ring");
+  EXPECT_EQ(curve.kind, MarkKind::open_curve);
+  EXPECT_EQ(curve.shape, 2);
+  ASSERT_EQ(curve.places.size(), 20u);
+  // Of the four equal sides of the marked curve.
+  for (int i = 0; i < 20; ++i) {
+    const double along = 4 * i / 19.0;
+    const int side = std::min(3, static_cast<int>(along));
+    const Vec3 there =
+        (1 - (along - side)) * vertex(copies, 5, side) + (along - side) * vertex(copies, 5, side + 1);
+    EXPECT_LT((position(copies.mesh, curve.places[i]) - there).norm(), 1e-9) << i;
+  }
+}
+
+TEST(MarkTransfer, CurvesOfOneMarkArePlacedFromOneStartInOneDirection) {
+  for (const MarkKind kind : {MarkKind::open_curve, MarkKind::closed_curve}) {
+    const bool closed = kind == MarkKind::closed_curve;
+    Copies copies(3);
+    for (int s = 0; s < 3; ++s) {
+      Mark mark = ring(copies, kind, closed ? tube : 5, 0);
+      if (s == 1) std::reverse(mark.points.begin() + (closed ? 1 : 0), mark.points.end());
+      if (s == 2 && closed) std::rotate(mark.points.begin(), mark.points.begin() + 2, mark.points.end());
+      copies.add(s, mark);
+    }
+    const MarkTransfer t = copies.transfer();
+    ASSERT_EQ(t.placed.size(), 3u);
+    for (int s = 1; s < 3; ++s)
+      for (std::size_t i = 0; i < 20; ++i)
+        EXPECT_LT(
+            (position(copies.mesh, t.placed[s].places[i]) - position(copies.mesh, t.placed[0].places[i]))
+                .norm(),
+            1e-9);
+  }
+}
+
 TEST(MarkTransfer, MarksThatCannotBeComparedAreRefused) {
   {
     Copies copies(3);

@@ -104,15 +104,19 @@ TEST(MetricsFile, MarksAndRegionsComeBackByTheNamesOfTheirShapes) {
   Evaluation written = small_evaluation();
   EXPECT_THAT(metrics_json(written), ::testing::Not(HasSubstr("\"marks\"")));
   const TransferEstimate known{0.1, 0.25, 7}, two_subjects{0.7, {}, 2};
-  written.marks = MarkTransfer{.points = TransferSummary{known, 2.5, 9},
-                               .curves = {},
-                               .by_point = {{"rim", MarkPart::middle, two_subjects}},
-                               .by_curve = {{"rim", known}},
-                               .pairs = {{3, 1, 0.5, {}}, {1, 4, {}, 1.0 / 3}},
-                               .marked_shapes = 3,
-                               .incomplete_shapes = 1,
-                               .off_surface_mm = {0, 0.25, 0, 1, 2},
-                               .reversed = {{4, "rim"}}};
+  written.marks = MarkTransfer{
+      .points = TransferSummary{known, 2.5, 9},
+      .curves = {},
+      .by_point = {{"rim", MarkPart::middle, two_subjects}},
+      .by_curve = {{"rim", known}},
+      .pairs = {{3, 1, 0.5, {}}, {1, 4, {}, 1.0 / 3}},
+      .marked_shapes = 3,
+      .incomplete_shapes = 1,
+      .off_surface_mm = {0, 0.25, 0, 1, 2},
+      .reversed = {{4, "rim"}},
+      .placed = {
+          {"tip", MarkKind::point, 3, {{FaceId(7), {0.25, 0.5, 0.25}}}},
+          {"rim", MarkKind::closed_curve, 4, {{FaceId(0), {1, 0, 0}}, {FaceId(9), {0, 1.0 / 3, 2.0 / 3}}}}}};
   written.regions = RegionTransfer{known, {{"arch", two_subjects}}, {{0, 2, 0.875}}, 2};
   write_metrics(folder.path(), written);
   EXPECT_THAT(testing::bytes_of(folder.file("metrics.csv")),
@@ -131,9 +135,64 @@ TEST(MetricsFile, MarksAndRegionsComeBackByTheNamesOfTheirShapes) {
   EXPECT_EQ(read.marks->pairs[0].curves, std::nullopt);
   EXPECT_EQ(read.marks->pairs.at(1).curves, 1.0 / 3);
   EXPECT_EQ(read.marks->reversed.at(0).shape, 4);
+  ASSERT_EQ(read.marks->placed.size(), 2u);
+  const PlacedMark &tip = read.marks->placed[0], &rim = read.marks->placed[1];
+  EXPECT_EQ(tip.mark, "tip");
+  EXPECT_EQ(tip.shape, 3);
+  EXPECT_EQ(tip.places.at(0).face.index, 7);
+  EXPECT_EQ(tip.places[0].barycentric, Vec3(0.25, 0.5, 0.25));
+  EXPECT_EQ(rim.kind, MarkKind::closed_curve);
+  EXPECT_EQ(rim.places.at(0).barycentric, Vec3(1, 0, 0));
+  EXPECT_EQ(rim.places.at(1).face.index, 9);
+  EXPECT_LT((rim.places[1].barycentric - Vec3(0, 1.0 / 3, 2.0 / 3)).norm(), 1e-4);
   EXPECT_EQ(read.marks->off_surface_mm, written.marks->off_surface_mm);
   EXPECT_EQ(marks_json(*read.marks, read.names), marks_json(*written.marks, written.names));
   EXPECT_EQ(regions_json(*read.regions, read.names), regions_json(*written.regions, written.names));
+}
+
+// An evaluation with two marks whose places the test may damage.
+nlohmann::ordered_json marked_metrics() {
+  Evaluation e = small_evaluation();
+  e.marks.emplace();
+  const SurfacePoint place{FaceId(3), {0.5, 0.25, 0.25}};
+  for (int s = 0; s < 2; ++s)
+    e.marks->placed.push_back({"rim", MarkKind::open_curve, s, {place, place, place}});
+  return nlohmann::ordered_json::parse(metrics_json(e));
+}
+
+TEST(MetricsFile, MarksWithoutPlacesAreReadAsBefore) {
+  nlohmann::ordered_json metrics = marked_metrics();
+  metrics["marks"].erase("placed");
+  EXPECT_TRUE(parse_metrics(metrics.dump(), "m").marks->placed.empty());
+}
+
+TEST(MetricsFile, DamagedPlacesAreRefused) {
+  const nlohmann::ordered_json whole = marked_metrics();
+  EXPECT_EQ(parse_metrics(whole.dump(), "m").marks->placed.size(), 2u);
+  const std::string mark = "/marks/placed/1/";
+  for (const auto& [at, value] : {std::pair<std::string, nlohmann::ordered_json>{"triangles/1", -1},
+                                  {"triangles/1", 2.5},
+                                  {"triangles/1", 3000000000U},
+                                  {"triangles/1", 18446744073709551615U},
+                                  {"triangles/1", "3"},
+                                  {"triangles", {3, 3}},
+                                  {"triangles", 3},
+                                  {"weights", {5000, 2500}},
+                                  {"weights/0", -1},
+                                  {"weights/0", 10001},
+                                  {"weights/1", 5001},
+                                  {"kind", "closed"},
+                                  {"kind", "point"},
+                                  {"kind", "surface"},
+                                  {"shape", "nobody"}}) {
+    nlohmann::ordered_json damaged = whole;
+    damaged[nlohmann::ordered_json::json_pointer(mark + at)] = value;
+    EXPECT_THROW(parse_metrics(damaged.dump(), "m"), IoError) << at << " " << value;
+  }
+  nlohmann::ordered_json shorter = whole;  // two points of a curve that has three on the other shape
+  shorter["marks"]["placed"][1]["triangles"] = {3, 3};
+  shorter["marks"]["placed"][1]["weights"] = {0, 0, 0, 0};
+  EXPECT_THROW(parse_metrics(shorter.dump(), "m"), IoError);
 }
 
 TEST(MetricsFile, ATableOfAnotherEvaluationIsRefused) {

@@ -61,6 +61,15 @@ struct ReversedCurve {
   std::string mark;
 };
 
+/// A mark of one shape as points of its corresponding mesh. These points exist on every shape of the model,
+/// so the mark can be drawn on each.
+struct PlacedMark {
+  std::string mark;
+  MarkKind kind = MarkKind::point;
+  int shape = 0;
+  std::vector<SurfacePoint> places;  ///< closest to the marked point, or to 20 evenly spaced ones of a curve
+};
+
 /// The result of mark_transfer().
 struct MarkTransfer {
   std::optional<TransferSummary> points, curves;  ///< unset: no two shapes have such a mark in common
@@ -71,6 +80,9 @@ struct MarkTransfer {
   int incomplete_shapes = 0;           ///< of these, shapes that lack a mark that another one has
   std::vector<double> off_surface_mm;  ///< per shape: mean distance of its marks to its corresponding mesh
   std::vector<ReversedCurve> reversed;
+  /// All marks, in the order in which they first occur, and of each mark by shape. The curves of a mark run
+  /// in one direction, and closed ones start at about the same place.
+  std::vector<PlacedMark> placed = {};
 };
 
 /// Carries every mark of shape A to shape B and compares it with the mark of the same name there, for all
