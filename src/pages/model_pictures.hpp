@@ -12,6 +12,7 @@
 #include "foramen/evaluate/representation.hpp"
 #include "foramen/model/shape_model.hpp"
 #include "modelfiles/atlas.hpp"
+#include "pages/page_marks.hpp"
 #include "report/report_page.hpp"
 
 namespace foramen {
@@ -49,6 +50,10 @@ ReportPicture mean_distance_picture(const ShapeModel& model, const std::vector<E
 /// The distances of one shape to its input, as colours on its corresponding mesh.
 ReportPicture shape_distance_picture(const std::string& shape, const TriangleSoup& corresponding,
                                      const ErrorMap& map);
+
+/// The marks of all shapes on the mean, from three sides, with a key of their colours and scatter.
+/// \pre at least one mark
+ReportPicture marks_picture(const ShapeModel& model, const std::vector<PageMark>& marks);
 
 /// A corresponding mesh and its flipped triangles.
 struct FlippedMesh {

@@ -8,8 +8,10 @@
 namespace foramen {
 namespace {
 
-std::vector<ReportTable> figures_of(const std::vector<NamedEvaluation>& evaluations) {
+std::vector<ReportTable> figures_of(const std::vector<NamedEvaluation>& evaluations,
+                                    const std::vector<PageMark>& marks) {
   std::vector<ReportTable> tables = mark_tables(evaluations);
+  if (!marks.empty()) tables.push_back(scatter_table(marks));
   for (ReportTable& table : model_tables(evaluations)) tables.push_back(std::move(table));
   return tables;
 }
@@ -27,7 +29,8 @@ PageContents page_contents(const ModelRecord& record, const std::optional<Baseli
                     .plain_words = in_plain_words(record),
                     .findings = summary_lines(record.run, evaluation),
                     .charts = model_charts(curves),
-                    .figures = figures_of(curves),
+                    .marks = page_marks(record),
+                    .figures = {},
                     .differences = {},
                     .remarks = {},
                     .shapes = shapes_table(record.run, evaluation),
@@ -38,6 +41,7 @@ PageContents page_contents(const ModelRecord& record, const std::optional<Baseli
                     .options = options_table(record.run),
                     .inputs = inputs_table(record.run),
                     .papers = papers_table(record.run)};
+  page.figures = figures_of(curves, page.marks);
   if (baseline) {
     const ModelDifference difference = model_difference(curves[1], curves[0]);
     page.differences = difference_tables(difference);

@@ -6,6 +6,7 @@
 
 #include "findings/plain_words.hpp"
 #include "modelfiles/model_record.hpp"
+#include "pages/page_marks.hpp"
 #include "report/report_page.hpp"
 
 namespace foramen {
@@ -22,7 +23,8 @@ struct PageContents {
   std::vector<Statement> plain_words;
   std::vector<std::string> findings;     ///< one line each
   std::vector<Chart> charts;             ///< curves of the model and of the baseline
-  std::vector<ReportTable> figures;      ///< the numbers of the charts
+  std::vector<PageMark> marks;           ///< none if nothing was marked
+  std::vector<ReportTable> figures;      ///< of marks and regions, and the numbers of the charts
   std::vector<ReportTable> differences;  ///< differences to the baseline; empty without one
   std::vector<std::string> remarks;      ///< on the differences
   ReportTable shapes, left_out, repaired, refit_failures;

@@ -15,10 +15,12 @@ ReportSection summary_section(const PageContents& contents) {
   return section;
 }
 
-ReportSection pictures_section(const ModelRecord& record) {
+ReportSection pictures_section(const ModelRecord& record, const PageContents& contents) {
   if (can_render()) {
     ReportSection section{.title = "Pictures", .pictures = model_pictures(record.atlas, record.loaded.model)};
     section.pictures.push_back(mean_distance_picture(record.loaded.model, record.error_maps));
+    if (!contents.marks.empty())
+      section.pictures.push_back(marks_picture(record.loaded.model, contents.marks));
     return section;
   }
   return {
@@ -33,7 +35,7 @@ ReportSection pictures_section(const ModelRecord& record) {
 std::string plain_page(const ModelRecord& record, const PageContents& contents, const std::string& why) {
   ReportPage page{contents.title, contents.subtitle, {}};
   page.sections.push_back(summary_section(contents));
-  page.sections.push_back(pictures_section(record));
+  page.sections.push_back(pictures_section(record, contents));
   page.sections.push_back(
       {.title = "Evaluation",
        .paragraphs =

@@ -10,6 +10,7 @@
 #include "modelfiles/metrics_file.hpp"
 #include "modelfiles/model_record.hpp"
 #include "pages/model_pictures.hpp"
+#include "pages/page_marks.hpp"
 #include "render/render_scene.hpp"
 #include "report/pdf_chart.hpp"
 
@@ -109,6 +110,8 @@ std::vector<ReportPicture> pictures(const fs::path& folder, const fs::path& base
   if (model.modes() > 0) out.push_back(modes_plate(model));
   out.push_back(mean_distance_picture(model, record.error_maps));
   out.push_back(worst_shape(folder, record));
+  if (const std::vector<PageMark> marks = page_marks(record); !marks.empty())
+    out.push_back(marks_picture(model, marks));
   if (!baseline.empty())
     for (ReportPicture& picture : beside_baseline(folder, record, baseline))
       out.push_back(std::move(picture));

@@ -86,15 +86,37 @@ ordered_json torus_json(const Atlas& atlas) {
           {"jumps", array_json(jumps, {jumps.size() / 2, 2})}};
 }
 
-ordered_json loop_json(const std::vector<SurfacePoint>& loop) {
+ordered_json places_json(const std::vector<SurfacePoint>& places) {
   std::vector<std::uint32_t> triangles;
   std::vector<float> weights;
-  for (const SurfacePoint& p : loop) {
+  for (const SurfacePoint& p : places) {
     triangles.push_back(static_cast<std::uint32_t>(p.face.index));
     for (double w : p.barycentric) weights.push_back(static_cast<float>(w));
   }
   return {{"triangles", array_json(triangles, {triangles.size()})},
           {"weights", array_json(weights, {triangles.size(), 3})}};
+}
+
+std::string hex(const Colour& colour) {
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const unsigned char channel : colour) text += {digits[channel / 16], digits[channel % 16]};
+  return text;
+}
+
+ordered_json mark_json(const PageMark& mark) {
+  std::vector<std::uint32_t> shapes;
+  std::vector<SurfacePoint> places;
+  for (const PlacedMark& placed : mark.scatter.placed) {
+    shapes.push_back(static_cast<std::uint32_t>(placed.shape));
+    places.insert(places.end(), placed.places.begin(), placed.places.end());
+  }
+  return {{"name", mark.scatter.mark},
+          {"kind", word_of(mark.scatter.kind)},
+          {"colour", hex(mark.colour)},
+          {"scatter_mm", mark.scatter.rms},
+          {"shapes", array_json(shapes, {shapes.size()})},
+          {"places", places_json(places)}};
 }
 
 // Distances rounded to whole thousandths of a millimetre.
@@ -171,7 +193,8 @@ ordered_json report_data(const ModelRecord& record, const PageContents& contents
           {"findings", contents.findings},
           {"model", model_json(record)},
           {"torus", torus_json(record.atlas)},
-          {"loops", list_json(loops, loop_json)},
+          {"loops", list_json(loops, places_json)},
+          {"marks", list_json(contents.marks, mark_json)},
           {"views", views_json(page_views(mean, loops))},
           {"error_unit_mm", error_unit_mm},
           {"shapes", shapes_json(record)},

@@ -1,12 +1,15 @@
 #include "pages/model_page.hpp"
 
 #include <fstream>
+#include <set>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "modelfiles/metrics_file.hpp"
+#include "pages/page_marks.hpp"
 #include "pages/report_data.hpp"
 #include "report/encoded_array.hpp"
 #include "report/interactive_page.hpp"
@@ -111,6 +114,68 @@ TEST_F(ModelPageOf, TheDataAreTheModelAndItsShapes) {
   EXPECT_EQ(data.at("left_out").at("rows").at(0).at(0), "broken");
   EXPECT_EQ(data.at("charts").at(0).at("series").size(), 1u);
   EXPECT_EQ(data.at("loops").size(), 2u);
+}
+
+// A copy of the model's folder with a point and a curve of two shapes, at the middle of triangles.
+void write_marked(const fs::path& model, const fs::path& folder, int last_triangle) {
+  fs::copy(model, folder, fs::copy_options::recursive);
+  Evaluation evaluation = read_metrics(model);
+  MarkTransfer& marks = evaluation.marks.emplace();
+  const auto middle = [](int triangle) { return SurfacePoint{FaceId(triangle), {0.25, 0.25, 0.5}}; };
+  for (const int shape : {1, 3}) marks.placed.push_back({"tip", MarkKind::point, shape, {middle(40)}});
+  marks.placed.push_back({"rim", MarkKind::closed_curve, 2, {middle(5), middle(6), middle(last_triangle)}});
+  std::ofstream(folder / "metrics.json") << metrics_json(evaluation);
+}
+
+TEST_F(ModelPageOf, MarksAreOnThePageWithTheirScatter) {
+  EXPECT_THAT(model_page(model(), {.kind = PageKind::plain}).html, Not(HasSubstr("Scatter of the marks")));
+  const testing::TemporaryFolder marked;
+  write_marked(model(), marked.path(), 7);
+  const ModelRecord record = read_model_record(marked.path());
+  const auto data = report_data(record, page_contents(record, std::nullopt));
+  ASSERT_EQ(data.at("marks").size(), 2u);
+  const auto &tip = data.at("marks").at(0), &rim = data.at("marks").at(1);
+  EXPECT_EQ(tip.at("name"), "tip");
+  EXPECT_EQ(tip.at("kind"), "point");
+  EXPECT_NEAR(tip.at("scatter_mm").get<double>(), 0, 1e-12) << "both shapes have it at the same place";
+  EXPECT_EQ(rim.at("kind"), "closed");
+  EXPECT_NE(tip.at("colour"), rim.at("colour"));
+  const std::vector<std::uint32_t> shapes{1, 3}, triangles{5, 6, 7};
+  EXPECT_EQ(tip.at("shapes").at("base64"), encoded(std::span<const std::uint32_t>(shapes), {2}).base64);
+  EXPECT_EQ(rim.at("places").at("triangles").at("base64"),
+            encoded(std::span<const std::uint32_t>(triangles), {3}).base64);
+  EXPECT_THAT(model_page(marked.path(), {.kind = PageKind::plain}).html, HasSubstr("Scatter of the marks"));
+}
+
+TEST_F(ModelPageOf, MarksOfOneColourAreFarFromEachOther) {
+  ModelRecord record = read_model_record(model());
+  const ShapeModel& shape_model = record.loaded.model;
+  const Mesh mean = build_mesh({unflattened(shape_model.mean()), shape_model.triangles()});
+  std::vector<Vec3> at;
+  MarkTransfer& marks = record.evaluation.marks.emplace();
+  for (const int triangle : {0, 100, 200, 300, 400}) {
+    const SurfacePoint place{FaceId(triangle), Vec3::Constant(1.0 / 3)};
+    at.push_back(position(mean, place));
+    marks.placed.push_back({"mark" + std::to_string(triangle), MarkKind::point, 0, {place}});
+  }
+  const std::vector<PageMark> coloured = page_marks(record);
+  ASSERT_EQ(coloured.size(), 5u);
+  std::set<Colour> colours;
+  std::size_t farthest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    colours.insert(coloured[i].colour);
+    if ((at[i] - at[4]).norm() > (at[farthest] - at[4]).norm()) farthest = i;
+  }
+  EXPECT_EQ(colours.size(), 4u);
+  EXPECT_EQ(coloured[4].colour, coloured[farthest].colour);
+}
+
+TEST_F(ModelPageOf, MarksOffTheModelsTrianglesAreRefused) {
+  const testing::TemporaryFolder marked;
+  const int triangles = static_cast<int>(read_model_record(model()).loaded.model.triangles().size());
+  write_marked(model(), marked.path(), triangles);
+  EXPECT_THAT([&] { model_page(marked.path()); },
+              ::testing::ThrowsMessage<IoError>(HasSubstr("the mark 'rim' is on triangle")));
 }
 
 TEST_F(ModelPageOf, TheLargestErrorOfAShapeIsCloseToItsHausdorffDistance) {

@@ -1,12 +1,14 @@
 #include "pages/render_model.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "foramen/core/error.hpp"
 #include "foramen/io/mesh_file.hpp"
+#include "modelfiles/metrics_file.hpp"
 #include "render/render_scene.hpp"
 #include "support/messages.hpp"
 #include "support/temporary_folder.hpp"
@@ -108,6 +110,20 @@ TEST_F(RenderModel, ABaselineIsASecondCurve) {
   EXPECT_THAT(named(both, "specificity.svg").bytes, HasSubstr("series-1"));
   EXPECT_THAT(named(both, "specificity.svg").bytes, HasSubstr("baseline: closest"));
   EXPECT_THAT(named(both, "specificity.pdf").bytes, HasSubstr("(baseline: closest)"));
+}
+
+TEST_F(RenderModel, MarksHaveAPicture) {
+  if (!can_render()) GTEST_SKIP() << "needs VTK and a display";
+  const testing::TemporaryFolder marked;
+  fs::copy(model(), marked.path(), fs::copy_options::recursive);
+  Evaluation evaluation = read_metrics(model());
+  const SurfacePoint place{FaceId(5), {0.5, 0.25, 0.25}}, other{FaceId(90), {0.5, 0.25, 0.25}};
+  evaluation.marks.emplace().placed = {{"tip", MarkKind::point, 0, {place}},
+                                       {"rim", MarkKind::open_curve, 2, {place, other}}};
+  std::ofstream(marked.file("metrics.json")) << metrics_json(evaluation);
+  const auto files = render_model(marked.path());
+  EXPECT_EQ(named(files, "marks.png").bytes.substr(0, 4), "\x89PNG");
+  EXPECT_THAT(names_of(render_model(model())), Not(Contains("marks.png")));
 }
 
 TEST_F(RenderModel, WithoutADisplayItSaysSo) {

@@ -41,7 +41,7 @@ export class ColourPanel {
       store.update({ colouring: { ...colouring, [tab]: this.select.value as Colouring } });
     });
     this.mode.addEventListener('change', () => store.update({ strengthMode: Number(this.mode.value) }));
-    const box = (key: 'loops' | 'edges' | 'flips', text: string) => {
+    const box = (key: 'loops' | 'edges' | 'flips' | 'marks', text: string) => {
       const input = element('input', { type: 'checkbox', checked: store.state[key] });
       input.addEventListener('change', () => store.update({ [key]: input.checked }));
       return element('label', { class: 'check' }, input, text);
@@ -57,6 +57,7 @@ export class ColourPanel {
         box('loops', 'Loops'),
         box('edges', 'Triangles'),
         box('flips', 'Flipped triangles'),
+        ...(report.marks.length > 0 ? [box('marks', 'Marks')] : []),
       ),
     );
     store.subscribe((state, changed) => {

@@ -4,6 +4,7 @@ import { element } from '../ui/element';
 import { ColourPanel } from './colour_panel';
 import { LandmarkPanel } from './landmark_panel';
 import { Legend } from './legend';
+import { MarkPanel } from './mark_panel';
 import { ModePanel } from './mode_panel';
 import { ShapePanel } from './shape_panel';
 import { Exhibitor, type Shown } from './shown';
@@ -131,6 +132,7 @@ export class Explorer {
         (listen) => store.subscribe((state: State) => listen(state.tab)),
       ),
       new ColourPanel(report, store).root,
+      new MarkPanel(report, store).root,
       element(
         'figure',
         { class: 'torus-figure' },

@@ -19,6 +19,9 @@ export interface State {
   loops: boolean;
   edges: boolean;
   flips: boolean;
+  marks: boolean;
+  /** The mark that is drawn alone; null if all are drawn. */
+  onlyMark: number | null;
   /** The landmark that is marked in both views. If `pinned`, the mark stays when the pointer leaves. */
   pinned: number | null;
   hovered: number | null;
@@ -35,6 +38,8 @@ export function initialState(report: Report): State {
     loops: false,
     edges: false,
     flips: true,
+    marks: true,
+    onlyMark: null,
     pinned: null,
     hovered: null,
   };

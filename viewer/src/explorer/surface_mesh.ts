@@ -2,25 +2,28 @@ import { BufferAttribute, DynamicDrawUsage, Group } from 'three';
 import { Line2 } from 'three/addons/lines/Line2.js';
 import { LineGeometry } from 'three/addons/lines/LineGeometry.js';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import type { Loop } from '../model/loop';
 import type { Report } from '../model/report';
 import { spread, type Sheet } from '../model/sheet';
+import type { SurfacePoints } from '../model/surface_points';
 import { areaVectors, pointNormals } from '../model/surface';
+import { markMesh } from './mark_mesh';
 import { loopColours } from './ramp';
 import { SheetMesh, type SheetMaterials } from './sheet_mesh';
 import type { ShownSurface } from './shown';
+import type { State } from './state';
 
 const loopPixels = 3.5;
-// Loops are drawn at this distance [mm] outside the surface, so that its facets do not hide them.
-const loopLift = 0.25;
+// Loops and marks are drawn at this distance [mm] outside the surface, so that its facets do not hide them.
+const lift = 0.25;
 
-/** A surface of the model in space, with its loops. */
+/** A surface of the model in space, with its loops and marks. */
 export class SurfaceMesh extends Group {
   points: Float32Array;
   private readonly places: BufferAttribute;
   private readonly normals: BufferAttribute;
   private readonly mesh: SheetMesh;
   private readonly curves: Line2[];
+  private readonly marks: ReturnType<typeof markMesh>[];
 
   constructor(
     private readonly report: Report,
@@ -42,10 +45,11 @@ export class SurfaceMesh extends Group {
       curve.frustumCulled = false;
       return curve;
     });
-    this.add(this.mesh, ...this.curves);
+    this.marks = report.marks.map(markMesh);
+    this.add(this.mesh, ...this.curves, ...this.marks);
   }
 
-  show(surface: ShownSurface, options: { loops: boolean; flips: boolean; edges: boolean }): void {
+  show(surface: ShownSurface, options: State): void {
     const { triangles, landmarks } = this.report.model;
     this.points = surface.points;
     const normals = pointNormals(landmarks, triangles, areaVectors(surface.points, triangles));
@@ -57,14 +61,14 @@ export class SurfaceMesh extends Group {
       curve.visible = options.loops;
       if (options.loops) this.lay(curve, this.report.loops[i], normals);
     });
+    this.marks.forEach((mesh, i) => {
+      mesh.visible = options.marks && (options.onlyMark ?? i) === i;
+      if (mesh.visible) mesh.lay(this.report.marks[i].points.lifted(surface.points, normals, triangles, lift));
+    });
   }
 
-  private lay(curve: Line2, loop: Loop, normals: Float32Array): void {
-    const { triangles } = this.report.model;
-    const points = loop.along(3, (triangle, corner, c) => {
-      const at = 3 * triangles[3 * triangle + corner] + c;
-      return this.points[at] + loopLift * normals[at];
-    });
+  private lay(curve: Line2, loop: SurfacePoints, normals: Float32Array): void {
+    const points = loop.lifted(this.points, normals, this.report.model.triangles, lift);
     curve.geometry.dispose();
     curve.geometry = new LineGeometry();
     curve.geometry.setPositions([...points, ...points.subarray(0, 3)]);

@@ -1,7 +1,7 @@
 import { BufferAttribute, OrthographicCamera, Scene, WebGLRenderer } from 'three';
-import type { Loop } from '../model/loop';
 import type { Report } from '../model/report';
 import { sheetOf } from '../model/sheet';
+import type { SurfacePoints } from '../model/surface_points';
 import { element } from '../ui/element';
 import { svg } from '../ui/svg';
 import { loopColours } from './ramp';
@@ -144,9 +144,9 @@ export class TorusView {
   }
 
   // The closed curve is drawn in each neighbouring copy of the domain, and clipped to the domain.
-  private loopPath(loop: Loop, colour: string): SVGElement {
+  private loopPath(loop: SurfacePoints, colour: string): SVGElement {
     const { cornerTurns } = this.report.torus;
-    const turns = loop.along(2, (triangle, corner, c) => cornerTurns[2 * (3 * triangle + corner) + c]);
+    const turns = loop.values(2, (triangle, corner, c) => cornerTurns[2 * (3 * triangle + corner) + c]);
     const at = [turns[0], turns[1]];
     const walk: [number, number][] = [[at[0], at[1]]];
     for (let i = 1; i <= loop.length; ++i) {

@@ -1,7 +1,8 @@
 import { decoded } from './encoded_array';
-import { Loop } from './loop';
+import { Mark } from './mark';
 import type { ReportData, TrainingShape } from './report_data';
 import { ShapeModel } from './shape_model';
+import { SurfacePoints } from './surface_points';
 import { Torus } from './torus';
 
 /** A training shape with its numbers decoded. */
@@ -16,13 +17,16 @@ export interface Shape extends Omit<TrainingShape, 'error' | 'plain_flips' | 'co
 export class Report {
   readonly model: ShapeModel;
   readonly torus: Torus;
-  readonly loops: Loop[];
+  /** Two closed curves. */
+  readonly loops: SurfacePoints[];
+  readonly marks: Mark[];
   readonly shapes: Shape[];
 
   constructor(readonly data: ReportData) {
     this.model = new ShapeModel(data.model);
     this.torus = new Torus(data.torus, this.model.triangles);
-    this.loops = data.loops.map((loop) => new Loop(loop));
+    this.loops = data.loops.map((loop) => new SurfacePoints(loop));
+    this.marks = data.marks.map((mark) => new Mark(mark));
     this.shapes = data.shapes.map(({ error, plain_flips, confirmed_flips, ...shape }) => ({
       ...shape,
       errors: Float32Array.from(decoded(error, 'u16'), (units) => units * data.error_unit_mm),

@@ -8,6 +8,22 @@ export interface EncodedArray {
   base64: string;
 }
 
+/** Points on triangles of the landmarks, with three barycentric weights each. */
+export interface EncodedPlaces {
+  triangles: EncodedArray;
+  weights: EncodedArray;
+}
+
+export interface MarkData {
+  name: string;
+  kind: 'point' | 'open' | 'closed';
+  colour: string;
+  scatter_mm: number;
+  /** The shapes that have the mark, and the points of all of them, shape after shape. */
+  shapes: EncodedArray;
+  places: EncodedPlaces;
+}
+
 export interface Statement {
   heading: string;
   text: string;
@@ -65,7 +81,8 @@ export interface ReportData {
     triangles: EncodedArray;
   };
   torus: { lattice: [[number, number], [number, number]]; turns: EncodedArray; jumps: EncodedArray };
-  loops: { triangles: EncodedArray; weights: EncodedArray }[];
+  loops: EncodedPlaces[];
+  marks: MarkData[];
   views: NamedView[];
   error_unit_mm: number;
   shapes: TrainingShape[];

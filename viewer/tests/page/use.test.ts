@@ -149,6 +149,18 @@ describe('by pointer', () => {
       for (const name of ['Loops', 'Triangles'])
         expect(await changes(page, () => page.getByLabel(name, { exact: true }).check()), name).toBe(true);
     }));
+
+  it('marks are drawn, each alone if it is chosen, and can be switched off', () =>
+    withPage(screens.wide, async (page) => {
+      const rim = page.getByRole('button', { name: /^rim/ }),
+        tip = page.getByRole('button', { name: 'tip 0.00' });
+      expect(await changes(page, () => tip.click())).toBe(true);
+      expect(await changes(page, () => rim.click())).toBe(true);
+      expect(await rim.getAttribute('aria-pressed')).toBe('true');
+      expect(await tip.getAttribute('aria-pressed')).toBe('false');
+      expect(await changes(page, () => page.getByLabel('Marks', { exact: true }).uncheck())).toBe(true);
+      expect(await rim.isVisible()).toBe(false);
+    }));
 });
 
 // Relative luminance and contrast as WCAG 2 define them.
@@ -242,6 +254,13 @@ it('prints what is folded away, and no controls', () =>
     await page.evaluate(() => dispatchEvent(new Event('afterprint')));
     expect(await page.locator('details[open]').count()).toBe(0);
   }));
+
+it('has no control for marks if there are none', async () => {
+  const { page, close } = await openDrawn(browser, join(models().baseline, 'report.html'));
+  expect(await page.getByLabel('Loops', { exact: true }).isVisible()).toBe(true);
+  expect(await page.getByText('Marks', { exact: true }).count()).toBe(0);
+  await close();
+});
 
 it('without WebGL says so and shows all else', async () => {
   const plain = await launch(false);

@@ -100,6 +100,7 @@ export function smallReport(): ReportData {
       jumps: encoded(new Int8Array(jumps), [jumps.length / 2, 2]),
     },
     loops: [],
+    marks: [],
     views: [],
     error_unit_mm: 0.001,
     shapes: [shape('a', [1, -1]), shape('b', [0, 0.5]), shape('c', [-1, 0.5])],
