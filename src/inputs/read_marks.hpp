@@ -39,8 +39,8 @@ struct ReadRegions {
   std::vector<Message> notes;
 };
 
-/// Reads files with a label a vertex, see read_vertex_labels(), and label maps, see voxel_regions(). The label
-/// is the region's name; 0 and less is no region. Files are found and belong to shapes as those of marks.
+/// Reads files with a label a vertex (read_vertex_labels()) and label maps (voxel_regions()). A label is the
+/// name of its region; 0 and less is no region. Files are found and belong to shapes as those of marks.
 ReadRegions read_regions(const std::vector<std::filesystem::path>& inputs, const MarkedShapes& shapes);
 
 }  // namespace foramen

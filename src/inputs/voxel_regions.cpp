@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
+
+#include <Eigen/LU>
 
 #include "spatial/point_index.hpp"
 
@@ -12,8 +15,8 @@ namespace {
 
 constexpr double farthest_mm = 3;
 
-// The centres of voxels that touch one of another label, in LPS, and their regions. Other voxels are inside of
-// the bone, far from its surface.
+// The centres of voxels that touch one of another label, in LPS, and their regions. The labelled voxel that
+// is closest to a point outside of all segments is one of them.
 struct LabelledVoxels {
   std::vector<Vec3> centres;
   std::vector<int> regions;
@@ -44,6 +47,18 @@ int index_of(const std::string& name, std::vector<std::string>& names) {
   return static_cast<int>(names.size()) - 1;
 }
 
+// The label of the voxel that contains a point in LPS; 0 outside of the map.
+int label_at(const LabelMap& map, const Vec3& p) {
+  const Vec3 steps = map.axes.inverse() * (p - map.origin);
+  std::array<int, 3> voxel{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double nearest = std::round(steps[axis]);
+    if (!(nearest >= 0 && nearest < map.size[axis])) return 0;
+    voxel[axis] = static_cast<int>(nearest);
+  }
+  return map.at(voxel[0], voxel[1], voxel[2]);
+}
+
 void add_voxels(const LabelMap& map, std::vector<std::string>& names, LabelledVoxels& voxels) {
   for (int k = 0; k < map.size[2]; ++k)
     for (int j = 0; j < map.size[1]; ++j)
@@ -65,9 +80,15 @@ RegionsOfShape voxel_regions(std::span<const LabelMap> layers, const Mesh& surfa
   if (voxels.centres.empty()) return regions;
   const PointIndex index(voxels.centres);
   for (VertexId v : surface.vertices()) {
-    const Vec3& p = surface.position(v);
-    const NearPoint near = index.nearest(space == AnatomicalSpace::lps ? p : Vec3(-p.x(), -p.y(), p.z()));
-    if (near.distance() <= farthest_mm) regions.of_vertex[v.index] = voxels.regions[near.index];
+    Vec3 p = surface.position(v);
+    if (space == AnatomicalSpace::ras) p.head<2>() *= -1;
+    int& region = regions.of_vertex[v.index];
+    for (const LabelMap& map : layers)
+      if (const int label = label_at(map, p); label != 0 && region < 0)
+        region = index_of(name_of(map, label), regions.names);
+    if (region >= 0) continue;
+    const NearPoint near = index.nearest(p);
+    if (near.distance() <= farthest_mm) region = voxels.regions[near.index];
   }
   return regions;
 }
