@@ -227,7 +227,7 @@ struct RegisterGroupOptions {
   EdgeCost edge_cost = EdgeCost::length_weighted;
   double lambda = 0.5;
   int working_vertices = 10000;
-  double relative_tolerance = 1e-6;
+  double relative_tolerance = 1e-4;
   int iteration_limit = 200;
   TemplateOptions mean = {};
   DistortionMeasure distortion = DistortionMeasure::on_template;
