@@ -44,7 +44,7 @@ std::string pairs_line(int sampled, int before) {
 }
 
 TEST(MendedLandmarks, AThinWallIsPartedAndSaidToHaveMet) {
-  const Mended mended = build_of_walls(0.02, 0.2);
+  const Mended mended = build_of_walls(0.04, 0.3);
   EXPECT_GT(mended.before, 0);
   EXPECT_EQ(mended.not_mended, 0);
   EXPECT_THAT(mended.output, HasSubstr(pairs_line(0, mended.before)));

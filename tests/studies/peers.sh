@@ -40,7 +40,7 @@ fi
 cat table messages
 grep -q "numbers of landmarks differ" messages
 column() { awk -F' *[|] *' -v name="$1" -v column="$2" '$2 == name { print $column }' table; }
-[ "$(column truth 3)" = 0.00 ]
+[ "$(column truth 3)" = "0.00 ± 0.00" ]
 [ "$(column other 3)" = "$(column default 3)" ]
 [ "$(column other 8)" = "$(column default 8)" ]
 [ "$(column other 13)" = 12 ]

@@ -219,8 +219,6 @@ inline std::vector<std::pair<std::string, std::pair<TriangleSoup, std::string>>>
       {"corner_twice",
        {changed_ring([](Soup& s) { s.triangles[5][1] = s.triangles[5][0]; }),
         "1 triangle uses a vertex that does not exist, or one vertex twice"}},
-      {"stray_vertex",
-       {changed_ring([](Soup& s) { s.points.emplace_back(1, 2, 3); }), "1 vertex belongs to no triangle"}},
       {"metres", {scaled(ring(), 1e-3), "probably in m, give this unit (--units m)"}},
       {"centimetres", {scaled(ring(), 0.1), "probably in cm, give this unit (--units cm)"}},
       {"micrometres", {scaled(ring(), 1e3), "probably in um, give this unit (--units um)"}},
