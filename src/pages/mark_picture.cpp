@@ -36,8 +36,8 @@ Scene key(const std::vector<PageMark>& marks, double width_mm) {
   const double column = width_mm / key_columns;
   const int lines = (static_cast<int>(marks.size()) + key_columns - 1) / key_columns;
   for (int i = 0; i < std::ssize(marks); ++i) {
-    const Vec3 start(column * (i % key_columns + key_dash / 2), 0,
-                     -key_line * column * (i / key_columns + 0.5));
+    const int line = i / key_columns;
+    const Vec3 start(column * (i % key_columns + key_dash / 2), 0, -key_line * column * (line + 0.5));
     const Vec3 end = start + Vec3(key_dash * column, 0, 0);
     scene.curves.push_back({{start, end}, false, marks[i].colour, key_letter * column / 4});
     scene.texts.push_back({marks[i].scatter.mark + "  " + fixed(marks[i].scatter.rms, 2) + " mm",
