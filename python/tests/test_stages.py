@@ -191,13 +191,15 @@ def test_evaluate_takes_meshes_of_any_tool(cohort, built, model, shapes, tmp_pat
         foramen.evaluate(meshes)
 
 
-def test_a_model_in_memory_is_used_as_one_of_a_folder(built, model, shapes):
-    of_folder = foramen.Model.load(built[0])
+def test_a_model_in_memory_is_used_as_one_of_a_folder(cohort, shapes, tmp_path):
+    # A mean of fewer than 1000 landmarks is subdivided, and the result then depends on the precision of files.
+    model = foramen.build_model(shapes, landmarks=1500)
+    foramen.build(cohort / "shapes", tmp_path / "model", landmarks=1500, samples=2)
+    of_folder = foramen.Model.load(tmp_path / "model")
     surface = shapes["synth002"]
     found, expected = model.project(surface), of_folder.project(surface)
-    apart = np.linalg.norm(found.points - expected.points, axis=1)
-    # Files have single precision. That moves most landmarks by micrometres, and a few at thin tips by more.
-    assert np.median(apart) < 0.01 and (apart < 0.3).mean() > 0.9, np.percentile(apart, [50, 90, 100])
+    apart = np.linalg.norm(found.points - expected.points, axis=1)  # files have single precision
+    assert apart.mean() < 0.05, apart.mean()
     assert np.linalg.norm(model.scores - found.scores, axis=1).argmin() == 1
     keep = (surface.points[surface.triangles][:, :, 0] < np.median(surface.points[:, 0])).all(axis=1)
     part = foramen.Mesh(surface.points, surface.triangles[keep])

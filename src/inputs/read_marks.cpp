@@ -114,6 +114,7 @@ ReadMarks read_marks(const std::vector<fs::path>& inputs, const MarkedShapes& sh
 }
 
 ReadRegions read_regions(const std::vector<fs::path>& inputs, const MarkedShapes& shapes) {
+  FORAMEN_ASSERT(shapes.surfaces.empty() || shapes.surfaces.size() == shapes.names.size());
   ReadRegions result;
   result.regions.resize(shapes.names.size());
   Skipped skipped;
@@ -135,7 +136,7 @@ ReadRegions read_regions(const std::vector<fs::path>& inputs, const MarkedShapes
     of_shape[of->shape] = path;
     result.regions[of->shape] =
         is_label_map(path)
-            ? voxel_regions(read_label_layers(path), shapes.surfaces[of->shape], shapes.spaces[of->shape])
+            ? voxel_regions(read_label_layers(path), shapes.surfaces.at(of->shape), shapes.spaces[of->shape])
             : regions_of_labels(read_vertex_labels(path));
   }
   result.notes = skipped.messages();

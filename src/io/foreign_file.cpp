@@ -67,12 +67,13 @@ std::string_view dicom_kind(std::string_view bytes) {
   return "a DICOM file";
 }
 
-// The type of a VTK file in XML, empty for other files.
+// The attribute `type` of the root of a VTK file in XML, empty for other files.
 std::string_view vtk_type(std::string_view bytes) {
-  constexpr std::string_view element = "<VTKFile", attribute = "type=\"";
+  constexpr std::string_view element = "<VTKFile", attribute = " type=\"";
   std::string_view text = bytes.substr(0, 4096);
   if (text.find(element) == std::string_view::npos) return {};
   text.remove_prefix(text.find(element));
+  text = text.substr(0, text.find('>'));
   if (text.find(attribute) == std::string_view::npos) return {};
   text.remove_prefix(text.find(attribute) + attribute.size());
   return text.substr(0, text.find('"'));

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "correspond/template_surface.hpp"
 #include "findings/model_report.hpp"
 #include "foramen/core/error.hpp"
 #include "foramen/core/geometry.hpp"
@@ -21,9 +22,7 @@ SceneCurve drawn(const Mesh& mean, const VertexMap<Vec3>& normals, const PlacedM
   SceneCurve curve{{}, mark.kind == MarkKind::closed_curve, colour, curve_radius_mm};
   for (const SurfacePoint& place : mark.places) curve.points.push_back(position(mean, place));
   if (mark.kind != MarkKind::point) return curve;
-  const auto corners = mean.corners(mark.places[0].face);
-  Vec3 normal = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) normal += mark.places[0].barycentric[k] * normals[corners[k]];
+  const Vec3 normal = interpolated(mean, normals, mark.places[0]);
   const Vec3 at = curve.points[0];
   curve.points = {at - dot_height_mm * normal, at + dot_height_mm * normal};
   curve.radius = dot_radius_mm;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "foramen/core/error.hpp"
+#include "repair/used_points.hpp"
 
 namespace foramen::repair_detail {
 namespace {
@@ -49,26 +50,17 @@ RawSurface checked(const TriangleSoup& raw) {
 }
 
 std::vector<Vec3> drop_unused_vertices(RawSurface& surface) {
-  TriangleSoup& soup = surface.soup;
-  std::vector<int> index(soup.points.size(), -1);
-  for (const auto& t : soup.triangles)
-    for (int corner : t) index[corner] = 0;
+  const std::vector<Vec3> before = surface.soup.points;
+  const std::vector<int> former = keep_used_points(surface.soup);
   std::vector<Vec3> dropped;
-  int kept = 0;
-  for (std::size_t v = 0; v < soup.points.size(); ++v) {
-    if (index[v] < 0) {
-      dropped.push_back(soup.points[v]);
-      continue;
-    }
-    index[v] = kept;
-    soup.points[kept] = soup.points[v];
-    surface.origin[kept] = surface.origin[v];
-    ++kept;
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    if (kept < former.size() && former[kept] == static_cast<int>(v))
+      surface.origin[kept++] = surface.origin[v];
+    else
+      dropped.push_back(before[v]);
   }
-  soup.points.resize(kept);
   surface.origin.resize(kept);
-  for (auto& t : soup.triangles)
-    for (int& corner : t) corner = index[corner];
   return dropped;
 }
 

@@ -185,6 +185,15 @@ TEST(VtkFile, PiecesAreOneSurface) {
   EXPECT_EQ(soup.triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}, {6, 4, 5}}));
 }
 
+TEST(VtkFile, FurtherAttributesOfTheRootDoNotMatter) {
+  const TemporaryFolder folder;
+  write_vtp(folder.file("good.vtp"), tetrahedron());
+  const std::string good = testing::bytes_of(folder.file("good.vtp"));
+  const auto file = folder.file("reordered.vtp", replaced(good, "<VTKFile type=\"PolyData\"",
+                                                          "<VTKFile their_type=\"x\" type=\"PolyData\""));
+  EXPECT_EQ(read_mesh(file).soup.triangles.size(), 4u);
+}
+
 TEST(VtkFile, MalformedVtpIsRefused) {
   const TemporaryFolder folder;
   write_vtp(folder.file("good.vtp"), tetrahedron());
@@ -201,6 +210,7 @@ TEST(VtkFile, MalformedVtpIsRefused) {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"<other></other>", "has no <VTKFile> element"},
       {replaced(good, "\"PolyData\"", "\"ImageData\""), "is a VTK file of the type 'ImageData'"},
+      {"<VTKFile version=\"1.0\"><A type=\"Float32\"/></VTKFile>", "is no PolyData"},
       {good.substr(0, good.size() / 2), "does not end with </VTKFile>"},
       {replaced(good, "NumberOfPoints=\"4\"", "NumberOfPoints=\"9000000000000000000\""),
        "its array 'Points' holds 12 numbers instead of 3 x 9000000000000000000"},
